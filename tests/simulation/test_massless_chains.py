@@ -12,6 +12,7 @@ from tests.simulation.test_golden import closes
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant, simulate
+from vstatics.simulation.scenario.laws import TorqueLaw
 from vstatics.simulation.scenario.parts import Control
 
 OVER_SPEED = Points((-50.0, 0.0, 60.0), (20.0, 0.0, -15.0), "speed")
@@ -51,6 +52,23 @@ def test_where_a_torque_no_longer_changes_with_speed_a_link_follows_its_shaft() 
     motion = run(case, 0.1, {1: -90.0, 2: 0.0, 3: 10.0}, ((2, OVER_SPEED),), capacity)
     assert motion.speeds[-1, 1] == pytest.approx(motion.speeds[-1, 0], rel=1e-9)
     assert motion.torques[-1, motion.devices.index("s")] == pytest.approx(-50.0)
+
+
+@pytest.mark.parametrize(
+    "law", [Formula("-300*angle"), Points((-9.0, 9.0), (2700.0, -2700.0), "angle")]
+)
+def test_a_torque_over_the_angle_of_a_light_link_is_a_spring_to_the_housing(
+    law: TorqueLaw,
+) -> None:
+    """At 0.1 s another torque on the link jumps, and the angle with it."""
+    shafts = Spring(between(1, 2), 500.0, name="s"), Spring(between(2, 3), 4000.0, name="r")
+    loads = (2, Points((0.1, 0.1), (0.0, 40.0))), (1, constant(10.0))
+    start = {1: 20.0, 2: 20.0, 3: 20.0}
+    by_law = run(links(0.7, 0.0, 1.5, springs=shafts), 0.5, start, (*loads, (2, law)))
+    third = Spring(between(2, 0), 300.0, name="t")
+    by_spring = run(links(0.7, 0.0, 1.5, springs=(*shafts, third)), 0.5, start, loads)
+    assert by_law.speeds[-1] == pytest.approx(by_spring.speeds[-1], rel=1e-7)
+    assert by_law.energy.impact == pytest.approx(40**2 / 2 / (500 + 4000 + 300), rel=1e-6)
 
 
 def test_a_link_without_inertia_leaps_to_the_piece_where_torques_balance() -> None:

@@ -54,19 +54,20 @@ def consistent(
     """Return the state with balanced torques on links without inertia, and any jump of twists."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
-    balanced, given = state.copy(), np.zeros(equations.layout.ports)
-    for _ in range(_MOST_JUMPS if equations.losses else 1):
+    structure = equations.structure
+    balanced, springs = state.copy(), equations.layout.spring_ports
+    given = turned = last = np.zeros(equations.layout.ports)
+    for _ in range(_MOST_JUMPS):
         _, torques = equations.acting(equations.time, balanced)
-        unbalanced = equations.by_slope.T @ (equations.structure.balances @ torques)
+        given, last = given + (last + torques) / 2 * turned, torques
+        unbalanced = equations.by_slope.T @ (structure.balances @ torques)
         if largest(unbalanced) <= STANDING * scales.torque:
             break
         motion = equations.along @ -np.linalg.solve(equations.stiff, unbalanced)
-        turned = equations.structure.light_rates @ motion
-        springs = equations.layout.spring_ports
+        turned = structure.light_rates @ motion
         balanced[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
-        worked = torques * turned
-        worked[springs] = 0.0
-        given += worked
+        balanced[equations.angles] += structure.light[list(equations.layout.angles)] @ motion
+    given[springs] = 0.0
     if not given.any() and (balanced == state).all():
         return state, None
     balanced[equations.works] += given
@@ -76,7 +77,7 @@ def consistent(
     signs = np.ones(len(given))
     signs[equations.layout.outside :] = -1.0
     lost = float(signs @ given) - (after - before)
-    links = np.abs(equations.structure.light @ motion)
+    links = np.abs(structure.light @ motion)
     return balanced, Jump(equations.system.names[int(links.argmax())], lost)
 
 

@@ -25,6 +25,7 @@ from vstatics.simulation.system.curves import (
     curve_along,
     one_by_one,
     programme_at,
+    slope_ahead,
     slope_of,
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
@@ -145,7 +146,7 @@ class Ports:
         A spring parts when its damper would pull. [N*m, N*m/rad]
         """
         self.all_elastic = np.zeros(layout.ports)
-        """Stiffness of each port, 0 if the port is not a spring. [N*m/rad]"""
+        """Derivative of each torque with respect to twist or angle; 0 for formulas. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         self.struts = [
             (index, spring.curve)
@@ -288,6 +289,8 @@ class Ports:
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
+        for port, _, slope in self.by_angle:
+            slopes[port] += slope * rates[port]
         for index, curve in self.struts:
             port = self.layout.springs + index
             slopes[port] += curve.strut.slope(twists[index]) * rates[port]
@@ -296,8 +299,12 @@ class Ports:
         for port, formula, factor in self.timed:
             slopes[port] = factor * slope_of(formula.function, time, step)
         for port, place, function, _ in self.special:
-            angle = float(angles[place]) if place >= 0 else 0.0
-            slopes[port] = slope_of(function, time, step, float(rates[port]), angle)
+            angle, rate = float(angles[place]) if place >= 0 else 0.0, float(rates[port])
+            ahead = [
+                function(time + after, rate, angle + after * rate)
+                for after in (0.0, step / 2, step)
+            ]
+            slopes[port] = slope_ahead(ahead[0], ahead[1], ahead[2], step)
         return slopes
 
     def _step(self, time: float, within: float) -> float:
@@ -329,6 +336,7 @@ class Ports:
                 self.senses_rate[port] = slope != 0
             else:
                 self.by_angle.append((port, place, slope))
+                self.all_elastic[port] = slope
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
