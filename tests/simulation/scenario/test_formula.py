@@ -3,6 +3,7 @@
 import math
 import pickle
 
+import numpy as np
 import pytest
 
 from tests.simulation.control.written import simulated
@@ -148,6 +149,10 @@ def test_numbers_of_formulas_can_be_powers_or_percentages() -> None:
     assert last == pytest.approx(math.sqrt(50**2 + 2 * (60e3 + 745.69987 / 2)), rel=1e-8)
     with pytest.raises(ReadError, match=r"read '1 kVA', expected a number, .* `kW` or `%`"):
         simulated(text % "1 kVA", "inertias: {a: 1}")
+
+
+def test_numbers_of_numpy_are_numbers_of_formulas() -> None:
+    assert Formula("p*t").knowing({"p": np.float64(3)}).function(2.0, 0.0, 0.0) == 6.0
 
 
 @pytest.mark.parametrize(

@@ -161,6 +161,9 @@ def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
     for suffix in ("parquet", "csv", "xlsx", "json"):
         read_back = load_table(str(tmp_path / f"own.{suffix}"), CASE)
         assert read_back.block(0, 2).tolist() == [[-2.5], [-3.0]], suffix
+    frame.to_json(tmp_path / "own.json")  # by columns: posit-dev/chatlas/issues/180
+    with pytest.raises(ReadError, match=r"`D1.ratio` has several values, expected one object per"):
+        load_table(str(tmp_path / "own.json"), CASE)
     frame["note"] = ["first", "second"]
     frame.to_parquet(tmp_path / "own.parquet")
     with pytest.raises(ReadError, match=r"read `note`.*leave out columns that are not numbers of"):

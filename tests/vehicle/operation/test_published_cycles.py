@@ -220,6 +220,12 @@ def test_headings_of_further_programs() -> None:
         assert trace.slope.tolist() == [pytest.approx(slope)]
 
 
+def test_a_cycle_over_distance_is_not_taken_for_a_cycle_over_time() -> None:
+    """NatLabRockies/fastsim/issues/305; `<s>` and `<t>` are the headings of VECTO."""
+    with pytest.raises(ReadError, match=r"heading '<s>', expected `time \[s\]`, [^;]*; the line"):
+        read_trace(b"<s>,<v>,<grad>,<stop>\n0,0,0,5\n100,50,1,0\n", "t.csv")
+
+
 def test_gears_of_published_cycles() -> None:
     text = "time [s],speed [m/s],gear\n0,0,0\n1,0,1.0\n2,5,1\n3,5,0\n4,5,1\n"
     trace = read_trace(text.encode(), "t.csv")

@@ -111,6 +111,9 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
         raise _no_sweep(file, error) from None
 
 
+_SEVERAL = "has several values, expected one object per row, as `to_json(orient='records')` writes"
+
+
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
     return ReadError(
@@ -165,6 +168,8 @@ def _json_lines(text: str, file: str) -> dict[str, Column]:
             if not isinstance(row, dict):
                 raise ValueError("read no JSON object")  # noqa: TRY004, TRY301 (a wrong text)
             table = table or {name: [] for name in row}
+            if several := next((name for name in row if isinstance(row[name], dict | list)), None):
+                raise ValueError(f"{quoted(several)} {_SEVERAL}")  # noqa: TRY301
             for name in table:
                 if name not in row:
                     raise ValueError(f"the key {quoted(name)} is missing")  # noqa: TRY301

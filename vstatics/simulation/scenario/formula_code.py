@@ -171,7 +171,7 @@ class _CodeWriter:
                 return _call("number", self.condition(tree))
             return self.operation(tree, [self.number(operand) for operand in tree.operands])
         if isinstance(tree, Constant):
-            return ast.Constant(tree.value)
+            return ast.Constant(float(tree.value))  # `compile` accepts no subclass of float
         if tree.name == PI:
             return ast.Constant(math.pi)
         return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())

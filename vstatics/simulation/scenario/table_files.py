@@ -96,13 +96,10 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(cell: str, line: int, unit: str = "") -> float:
-    """Return a plain number in SI units from a cell, with the unit of its column if it has one.
-
-    Formulas are compiled from numbers of tables; only plain numbers can be compiled.
-    """
+    """Return a number in SI units from a cell, with the unit of its column if it has one."""
     text = f"{cell} {unit}".strip()
     try:
-        return float(si_number(text))
+        return si_number(text)
     except ValueError as error:
         read = text[:40] if cell.strip() else "an empty cell"
         raise ValueError(f"line {line}: read {read}, {error}") from None

@@ -35,6 +35,8 @@ def test_a_mistyped_key_of_links_causes_one_message(key: str) -> None:
 
 def test_a_decimal_comma_and_a_missing_blank_get_advice() -> None:
     assert "write a decimal point, not a decimal comma" in errors("2000 rpm", "2000,5 rpm")[-1]
+    [gear] = errors("\nelements", "\n1: 10\nelements")  # the share of a gear, without `time`
+    assert gear.startswith("unknown key `1`, expected `name`, ")
     assert errors("kind: planetary", "kind:planetary") == [
         "elements.P: `kind` is missing; write a blank after the colon"
     ]

@@ -77,7 +77,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
         if key.text not in known:
             hint = meant_key(spots.document, key.text, known)
             expected = hint or f", expected {spoken(map(quoted, known))}"
-            expected = _advice(key.text, known) or expected
+            expected = _advice(key.text, known, has_value=not is_null(value)) or expected
             spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, UNKNOWN_KEY)
             meant.update((name, value) for name in known if f"`{name}`" in hint)
             if not hint:  # its value can be the cause of a lack in this mapping
@@ -94,7 +94,7 @@ def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
     return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
 
 
-def _advice(key: str, known: Collection[str]) -> str:
+def _advice(key: str, known: Collection[str], *, has_value: bool = False) -> str:
     """Return advice about the typical mistake that causes an unknown key; empty if unknown.
 
     >>> _advice("5 rpm", ["speed"])
@@ -107,7 +107,7 @@ def _advice(key: str, known: Collection[str]) -> str:
     '; a gear set with a ratio instead of teeth is written under `mechanisms`'
     """
     name, colon, value = key.partition(":")
-    if _AFTER_COMMA.fullmatch(key):
+    if _AFTER_COMMA.fullmatch(key) and not has_value:
         return f"; {NO_COMMA}"
     if colon and value and name in known:
         return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"

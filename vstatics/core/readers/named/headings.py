@@ -402,7 +402,9 @@ class _ExpectedTable(NamedTuple):
         lacking = [column for column in self.columns if column.name not in names]
         missing = [column.heading for column in lacking if not column.optional]
         wanted = [column.name for column in lacking]
-        known = [alias for column in lacking for alias in (*column.aliases, column.name)]
+        aliases = [alias for column in lacking for alias in (*column.aliases, column.name)]
+        # a distance <s> is not a mistyped time <t>
+        known = [alias for alias in aliases if not alias.startswith("<")]
         for cell in others:
             name = _folded(with_unit(cell)[0])
             hint = nearest(name, known)
