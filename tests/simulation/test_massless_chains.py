@@ -137,12 +137,12 @@ def test_a_run_ends_where_the_root_of_a_falling_number_ends() -> None:
     """Parts of a stretch that are shorter than the time can show do not hold up the run."""
     made = simulate(
         written(
-            "duration: 1\nstart: {speeds: {e: 100, o: 0, s: 0}}\ntorques: {o: sqrt(0.5 - t)}\n",
+            "duration: 1\nstart: {speeds: {e: 100, o: 0, s: 0}}\ntorques: {o: sqrt(0.2 - t)}\n",
             "inertias: {e: 2, o: 3, s: 1}\nshift_elements: {C: [e, o]}\ngears: {g: [C]}\n"
             "springs: {S: {links: [o, s], stiffness: 100, friction: 3}}\n",
         )
     )
-    assert made.time[-1] == pytest.approx(0.5, rel=1e-9)
+    assert made.time[-1] == pytest.approx(0.2, rel=1e-9)
     assert made.stopped is not None
 
 

@@ -87,8 +87,9 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
             is_excluded = True
             name = f"gear {target.name}" if target.name in gears else target.name
             yield f"{name} cannot have {target.wanted:g}: {reach_text(*reached)}"
-    if is_excluded or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
+    if is_excluded or narrowed(problem.targets, low, high, TOLD_ERROR) is not None:
         return
+    least = least_possible(problem.targets, low, high)
     ends = narrowed(problem.targets, low, high, least * (1 + NARROW_WINDOW) + NARROW_WINDOW)
     if ends is None:
         return
