@@ -93,3 +93,15 @@ def test_a_duty_cycle_is_shown_alone_and_of_two_cases(folder: Path) -> None:
     assert "in all   1.000       0.993" in vstatics(*asked).out
     assert "efficiency of the duty cycle" in vstatics(*asked, "case.yaml").out
     assert json_answer(*asked)["duty"]["efficiency"] == pytest.approx(0.25 * LOW + 0.75)
+
+
+@pytest.mark.parametrize(("times", "warns"), [("0,1,2,3", 1), ("0,1,1,2", 0), ("1,2,3,4", 0)])
+def test_instants_of_a_record_are_doubtful_as_durations(
+    times: str, warns: int, folder: Path
+) -> None:
+    """As durations, instants from 0 would give the last row of a record the largest weight."""
+    rows = "".join(f"{time},low,1000,100\n" for time in times.split(","))
+    (folder / "duty.csv").write_text(f"time [s],gear,speed [rpm],torque [N*m]\n{rows}")
+    (folder / "box.yaml").write_text(CASE, "utf-8")
+    said = vstatics("summary", "box.yaml", "--duty", "duty.csv")
+    assert (said.status, said.err.count("`time` rises from 0 in each row")) == (0, warns)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import operator
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -110,11 +111,11 @@ class DutyTable(NamedTuple):
             found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
             raise _at_rows(error.problems, table) from None
-        notes = without_inertias(results.case) if is_cycle else ()
+        notes = [*(without_inertias(results.case) if is_cycle else _instants(table))]
         if self.load is not None and self.load is results.case.load:
             rpm, torque = self.load.speed, self.load.torque
             text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
-            notes = Message("N423", f"{text}, the first of these points with a power"), *notes
+            notes = [Message("N423", f"{text}, the first of these points with a power"), *notes]
         return found._replace(messages=(*found.messages, *notes))
 
 
@@ -135,6 +136,18 @@ def _driven(case: Transmission) -> Transmission:
     """Return a case without `coast`, because torques in a driving cycle have a sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
+
+
+def _instants(table: UnitTable) -> Iterator[Message]:
+    """Yield a warning if the durations of the points are probably instants of a record."""
+    times = table.numbers.get("time", ())
+    if len(times) > 2 and times[0] == 0 and all(map(operator.lt, times, times[1:])):
+        yield Message(
+            "W893",
+            "`time` rises from 0 in each row, as instants of a record do, but each row is "
+            "calculated for this duration; for a record with equal time steps, give `share` 1 in "
+            "each row",
+        )
 
 
 def without_inertias(case: Transmission) -> Iterator[Message]:

@@ -216,3 +216,18 @@ def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
         said = vstatics(*command)
         assert said.err.count("road.yaml:5:19: warning: ") == 1
         assert "expected 90 for a mass of 1000 kg" in said.err
+
+
+@pytest.mark.parametrize("options", [["-q"], ["--allow", "W201"]])
+def test_warnings_beside_an_error_of_the_case_can_be_suppressed(
+    options: list[str], folder: Path
+) -> None:
+    """A misspelled key is an error; a simple planetary gear set cannot have the basic ratio 2.5."""
+    (folder / "box.yaml").write_text(
+        "links: [a, b, c]\nmechanisms: {P: {first: a, second: b, third: c, ratio: 2.5}}\nnmae: x\n"
+    )
+    (folder / "run.yaml").write_text("case: box.yaml\nduration: 1\nstart: {speeds: {a: 1}}\n")
+    assert "warning: mechanisms.P" in vstatics("simulate", "run.yaml").err
+    said = vstatics("simulate", "run.yaml", *options)
+    assert said.gives_nothing("error: unknown key `nmae`")
+    assert "warning" not in said.err

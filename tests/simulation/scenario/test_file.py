@@ -167,6 +167,7 @@ FAULTS = [
     ("shifts: [{at: 2, to: low}, {at: 0, to: high}]", "4:33", "expected shifts in the order of"),
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
+    ("tables: {T: {columns: x, rows: [[0, 1, 2]]}}", "4:23", "read 'x', expected a list"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
     # modelica/ModelicaStandardLibrary/issues/4009: a table with a wrong head has one cause
     ("tables: {k: {file: no.csv}}\ntorques: {in: 'k(t, 1)'}", "4:20", "which cannot be read"),

@@ -91,7 +91,10 @@ def simulate_command(asked: SimulateOptions) -> int:
         read_with_case,
     )  # slow imports, not needed for --help
 
-    read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    try:
+        read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    except ReadError as error:
+        raise ReadError(telling.printed(error.problems)) from None
     read = read.allowing(telling.allow)
     if asked.damage:
         expect_damage(read.reading)

@@ -118,10 +118,11 @@ class ScenarioValues:
     ) -> LookupTable:
         """Return a table from rows of x and values; missing rows become a row of zeros."""
         unreadable = {*self.spots.unreadable}
-        if not rows and path[:2] not in unreadable:
+        is_known = unreadable.isdisjoint((path[:2], (*path[:2], "columns")))
+        if not rows and is_known:
             self.spots.tell(path, "read no rows, expected at least one")
         for number, row in enumerate(rows, 1):
-            if len(row) != len(columns) + 1 and (*path, number) not in unreadable:
+            if is_known and len(row) != len(columns) + 1 and (*path, number) not in unreadable:
                 self.spots.tell(
                     (*path, number),
                     f"read {len(row)} numbers, expected {len(columns) + 1}: x, and a value "

@@ -43,6 +43,12 @@ def test_a_decimal_comma_and_a_missing_blank_get_advice() -> None:
     assert "write a blank after the colon: `speed: 9`" in errors("speed: 2000 rpm", "speed:9")[0]
 
 
+def test_a_missing_comma_between_shift_elements_is_named() -> None:
+    """YAML reads the words of a list without commas as a single text."""
+    [message] = errors("low: [B]", "low: [B C]")
+    assert message.endswith("; write a comma between the names: `B, C`")
+
+
 def test_a_dash_without_a_blank_is_named() -> None:
     """Source: github.com/adrienverge/yamllint/issues/197 (YAML reads the list as a text)."""
     [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n    -B\n  high: [C]")

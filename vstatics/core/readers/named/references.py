@@ -159,7 +159,10 @@ class References:
         raise UnknownNameError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:
-        """Return a hint with the nearest name, or a short list of all names."""
+        """Return a hint with a missing comma or the nearest name, or a short list of all names."""
+        several = text.split()
+        if len(several) > 1 and all(name in names for name in several):
+            return f"; write a comma between the names: `{', '.join(several)}`"
         few = ": " + ", ".join(map(shown, names)) if 0 < len(names) <= _FEW_LINKS else ""
         return self._document.hint(text, names) or few
 
