@@ -342,8 +342,10 @@ def test_formulas_run_with_a_table_file(tmp_path: Path) -> None:
     assert speeds[-1, 0] == pytest.approx(math.e, rel=1e-8)
 
 
-def test_units_of_a_table_file_can_be_below_its_names(tmp_path: Path) -> None:
-    (tmp_path / "grid.csv").write_text("speed,0.2,1\nrpm,kN*m,kN*m\n0,1,2\n30,3,4\n")
+@pytest.mark.parametrize("title", ["", "Bench 3\n"])
+def test_units_of_a_table_file_can_be_below_its_names(tmp_path: Path, title: str) -> None:
+    rows = "speed,0.2,1\nrpm,kN*m,kN*m\n0,1,2\n30,3,4\n"
+    (tmp_path / "grid.csv").write_text(title + rows, "utf-8")
     grid = table_of(str(tmp_path / "run.yaml"), "grid.csv")
     assert grid.at(math.pi, 1.0) == pytest.approx(4000)  # 30 rpm is pi rad/s
 

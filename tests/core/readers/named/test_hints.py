@@ -86,6 +86,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
     [
         # modelica/ModelicaStandardLibrary/issues/3977: Modelica calls a freewheel OneWayClutch
         ("B: [r, housing]", "B: {kind: one_way_clutch, links: [r, housing]}", "freewheel"),
+        ("B: [r, housing]", "B: {kind: one-way, links: [r, housing]}", "freewheel"),
         ("kind: planetary", "kind: epicyclic", "planetary"),
         ("kind: planetary", "kind: differential", "bevel"),
         ("ring: r", "annulus: r", "ring"),

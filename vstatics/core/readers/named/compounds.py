@@ -36,7 +36,8 @@ _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
-    **dict.fromkeys(("one_way_clutch", "oneway_clutch", "sprag", "sprag_clutch"), "freewheel"),
+    **dict.fromkeys(("one_way", "one_way_clutch", "oneway_clutch"), "freewheel"),
+    **dict.fromkeys(("sprag", "sprag_clutch", "overrunning_clutch"), "freewheel"),
     **dict.fromkeys(("epicyclic", "simple", "planet"), "planetary"),
     **dict.fromkeys(("comment", "comments", "notes"), "description"),
     "title": "name",
@@ -90,7 +91,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
     """Return a hint with the key that an unknown key probably means; empty if not recognised."""
     names = [*known]
-    synonym = _SYNONYMS.get(key.casefold())
+    synonym = _SYNONYMS.get(re.sub(r"[-\s]", "_", key.casefold()))
     return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
 
 

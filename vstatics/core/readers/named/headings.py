@@ -272,13 +272,21 @@ def read_headings(
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
     """Yield the lines of a table, with empty lines for titles.
 
+    If no cell is a heading, the headings are above the numbers and above a row of units.
+
     Examples
     --------
     >>> list(without_titles(["Test 7", "Speed (rpm)", "5"], lambda cell: "Speed" in cell))
     ['', 'Speed (rpm)', '5']
     """
-    top = _heading_lines(lines[:MOST_TITLE_LINES])
-    head = next((at for at, _, cells in top if any(map(is_heading, cells))), 0)
+    top = lines[:MOST_TITLE_LINES]
+    known = (at for at, _, cells in _heading_lines(top) if any(map(is_heading, cells)))
+    head = next(known, None)
+    if head is None:
+        head = _above_numbers(top)
+        separator = separator_of(lines[head]) if head else ","
+        if head and lines[head - 1].count(separator) == lines[head].count(separator) > 0:
+            head -= 1
     return chain(repeat("", head), islice(lines, head, None))
 
 
