@@ -178,8 +178,12 @@ def gears_answer(
     Errors are reported before other problems.
     """
     faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
-    still = map(reading.locate, still_in_vibration(reading.case))
-    return CaseAnswer(grids, answer, [*faults, *problems, *still], failed=bool(faults))
+    return CaseAnswer(
+        grids,
+        answer,
+        [*faults, *problems, *map(reading.locate, still_in_vibration(reading.case))],
+        failed=bool(faults),
+    )
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:

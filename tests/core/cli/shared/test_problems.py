@@ -129,7 +129,7 @@ def test_a_quiet_run_mentions_no_earlier_run_and_draws_no_bar(files: Path) -> No
     assert "there is no earlier run to resume" in vstatics(*call).err
     Path("out/.vstatics-run-json").unlink()
     assert vstatics(*call, "-q").err == ""
-    call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-3:-2:5000", "-o", "out.csv"]
+    call = ["sweep", "doubtful.yaml", "--vary", "D.ratio=2:3:5000", "-o", "out.csv"]
     assert "\x1b[" in on_terminal(*call, cwd=files)
     assert on_terminal(*call, "-q", cwd=files) == ""
 
