@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tests.torsion.book import TABLE_3_8, Line
-from vstatics import CaseError, ClutchDump, loads
+from vstatics import ClutchDump, loads
 from vstatics.torsion.clutch.dumped import DumpTorque, dump
 from vstatics.torsion.clutch.gear_dump import GearDump, gear_dumps
 from vstatics.torsion.clutch.given import Dump
@@ -157,10 +157,7 @@ def test_numbers_that_give_no_torque_are_told() -> None:
     assert "expected a finite number above 0" in found.error or "too large" in found.error
 
 
-def test_a_case_without_a_dump() -> None:
-    case = loads(car("ВАЗ-2101")).replace(dump=None)
-    with pytest.raises(CaseError, match=r"^dump: the case has no `dump`"):
-        gear_dumps(case)
+def test_a_gear_that_is_not_there() -> None:
     with pytest.raises(ValueError, match="no gear"):
         gear_dumps(loads(car("ВАЗ-2101")), ["7"])
 

@@ -73,8 +73,6 @@ def test_pages_fit_their_paper() -> None:
 
 def test_a_case_without_a_torque_of_a_dumped_clutch_says_so(tmp_path: Path) -> None:
     options = ("-k", "dump", "-o", tmp_path / "a.svg")
-    result = vstatics("plot", CASES / "driveline-8hp70.yaml", *options)
-    assert result.fails("the case has no `dump`, expected the links of engine `J1`")
     text = FILE.read_text("utf-8")
     gears, dumped = text.index("gears:"), text.index("# the clutch of table 2.2")
     text = f"{text[:gears]}gears: {{N: [damper, dog 1, shaft 1]}}\n{text[dumped:]}"
