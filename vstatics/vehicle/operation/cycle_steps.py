@@ -387,7 +387,7 @@ class CycleSteps(NamedTuple):
         """
         slipping = [gear.slipping for gear in self.case.gears]
         opening = [self.opening.get(index, ()) for index in range(len(self.case.gears))]
-        may_open = [bool(a or b) for a, b in zip(slipping, opening, strict=True)]
+        may_open = [bool(slip or held) for slip, held in zip(slipping, opening, strict=True)]
         rows = rows[np.array(may_open)[self.gears[rows]]]
         if not rows.size:
             return self
@@ -407,11 +407,13 @@ class CycleSteps(NamedTuple):
             overrun = results.lossy_torques_Nm[here, gears, : len(numbers)]
             wrong = np.where(slips[gears], -results.slip_losses_kW[here, gears], -math.inf)
             wrong = np.where(opens[gears], overrun, wrong).max(axis=1)
-            return np.where(np.abs(wrong) <= least[part], 0.0, wrong)
+            # Forces without torques, where a gear would be self-locking, are above the least force.
+            wrong = np.where(np.isnan(wrong), -size[part], wrong)
+            return np.where(np.abs(wrong) <= LEAST_OPENING * size[part], 0.0, wrong)
 
-        low, least = self.asked_forces[rows], np.zeros(len(rows))
+        low, size = self.asked_forces[rows], np.full(len(rows), np.nan)
         at_low = excess(np.arange(len(rows)), low)
-        least = LEAST_OPENING * np.abs(at_low)
+        size = np.abs(at_low)
         part = np.flatnonzero(at_low > 0)
         if not part.size:
             return self
