@@ -218,3 +218,30 @@ def test_a_pump_at_rest_takes_no_torque_from_any_turbine(seed: int) -> None:
     given = f"duration: 1\n{start}converters: {{K: {{links: [a, b], points: {points}}}}}\n"
     motion = simulated(given, f"links: [a, b, c]\ninertias: {inertias}\n{pair}")
     assert motion.speeds[-1] == pytest.approx(motion.speeds[0], abs=1e-12)
+
+
+def test_a_slip_is_kept_by_a_relay_beside_a_mechanism_with_losses() -> None:
+    """The power flow of M reverses at each switch, until the motion stays at the slip of C2."""
+    case = """links: [a, b, c, d, e]
+inertias: {a: 3.286, b: 0.773, c: 0.197, d: 1.175, e: 5.588}
+shift_elements: {C1: [a, b], C2: [b, c], C3: [d, e], D: {links: [d, e], drag: 15 N*m}}
+springs: {S: {links: [a], stiffness: 200, damping: 10}}
+mechanisms: {M: {first: c, second: d, ratio: 3.2, efficiency: 0.9}}
+"""
+    motion = simulated(
+        """duration: 0.8
+start: {speeds: {a: -30, b: -30, d: 0, e: -30}}
+tables: {q: [[0, 0], [0.3, 40], [0.6, -40]]}
+controls:
+  C1: [[0.14, 80.32], [0.34, 0], [0.44, 0], [0.64, 80.32]]
+  C2: [[0.27, 0], [0.37, 81.48]]
+  C3: [[0, 89.76], [0.3, -20]]
+torques:
+  b: q(t)
+  c: "40*(((2*(slip('C2') > 10) - 1) + speed('d')/60)/2)*(2 - abs(speed)/100)"
+  d: ["-0.3*speed - 0.004*speed*abs(speed)", {resistance: 1.21}]
+""",
+        case,
+    )
+    slip = motion.speeds[:, 1] - motion.speeds[:, 2]
+    assert np.interp([0.312, 0.317, 0.322], motion.time, slip) == pytest.approx(10, abs=1e-7)

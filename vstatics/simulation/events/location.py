@@ -342,7 +342,7 @@ class Finder:
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.jumps and kind in ("hold", "limit", "grip")
+        jumps = self.jumps and self.margins.is_torque[index]
         if not jumps and kind not in ("split", *FOLLOWING):  # smooth, so a polynomial fits
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
