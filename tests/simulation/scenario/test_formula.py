@@ -11,7 +11,7 @@ from vstatics import Gear, Mechanism, ReadError, Transmission, sweep
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import Formula
-from vstatics.simulation.scenario.formula import read_formula
+from vstatics.simulation.scenario.formula import Vocabulary, read_formula
 
 
 def test_values() -> None:
@@ -203,3 +203,8 @@ def test_sweeps_laws_and_scenarios_have_the_same_functions(text: str, expected: 
     assert chunk.columns.item() == pytest.approx(expected)
     assert DragFormula(f"{text} + 0*w").at(1.0) == pytest.approx(expected)
     assert Formula(f"{text} + 0*t").function(1.0, 0.0, 0.0) == pytest.approx(expected)
+
+
+def test_an_unknown_name_is_answered_with_the_states_of_the_scenario() -> None:
+    with pytest.raises(ReadError, match="read `p`, expected a formula of t, grip and slide"):
+        read_formula(Excerpt("2*p", "F"), ["t"], Vocabulary(values=["grip", "slide"]))

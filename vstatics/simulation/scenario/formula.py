@@ -45,6 +45,8 @@ OF_TORQUES = ("acceleration", "torque", "power")
 """Functions of the motion that follow from torques, and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
 """Events, which only conditions of sequence steps can use, such as `locks('C')`."""
+MOST_NAMED = 6
+"""Largest number of states and numbers of the scenario that a message names."""
 _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
@@ -349,7 +351,8 @@ def _check_name(
             message += ": that of the link itself" if name in ("speed", "angle") else ""
             raise source.error(message, part.at)
         return
-    expected = f"expected a formula of {spoken(names)}"
+    own = [*words.numbers, *words.values][:MOST_NAMED]
+    expected = f"expected a formula of {spoken([*names, *own])}"
     word = "speed" if name == SHORT_SPEED else name
     rows = words.rows.get(word, ())
     if rows:
