@@ -87,9 +87,7 @@ def simulate_command(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
-    from vstatics.simulation.cli.documents import (
-        read_with_case,
-    )  # slow imports, not needed for --help
+    from vstatics.simulation.cli.documents import read_with_case  # slow, not needed for --help
 
     try:
         read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
