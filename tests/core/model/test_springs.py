@@ -23,12 +23,10 @@ def test_a_spring_has_one_rate_whichever_is_given() -> None:
 
 
 def test_a_half_shaft_to_a_link_without_inertia_never_twists() -> None:
-    """A road with a given motion, and a link with an inertia of 0, are deliberate."""
-    for given, told in (({}, ["N207"]), ({4: 1.3}, []), ({4: 0.0}, [])):
-        sets = [Mechanism(1, 2, 0, 4.0)]
-        shaft = Spring(between(2, 4), stiffness=9e3, name="shaft")
-        road = Spring(between(3, 1), stiffness=2e5, name="tyre")
-        case = Transmission(4, [], sets, [Gear()], springs=[shaft, road], output=2, input=3)
+    """A link with an inertia of 0 is deliberate."""
+    shaft = Spring(between(2, 3), stiffness=9e3, name="shaft")
+    case = Transmission(3, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], springs=[shaft], output=2)
+    for given, told in (({}, ["N207"]), ({3: 0.0}, [])):
         assert [note.id for note in hints(case.replace(inertias={1: 0.2, **given}))] == told
 
 

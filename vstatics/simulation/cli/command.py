@@ -87,13 +87,7 @@ def simulate_command(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
-    from vstatics.simulation.cli.documents import read_with_case  # slow, not needed for --help
-
-    try:
-        read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
-    except ReadError as error:
-        raise ReadError(telling.printed(error.problems)) from None
-    read = read.allowing(telling.allow)
+    read = _read(asked, to.output)
     if asked.damage:
         expect_damage(read.reading)
     step, duration = asked.step, read.scenario.duration
@@ -122,6 +116,17 @@ def simulate_command(asked: SimulateOptions) -> int:
         return stopped_by(signal.SIGINT)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
+
+
+def _read(asked: SimulateOptions, output: str | None) -> ScenarioFile:
+    from vstatics.simulation.cli.documents import read_with_case  # slow, not needed for --help
+
+    text = files.read_input(asked.scenario)
+    try:
+        read = read_with_case(*text, asked.input_format, asked.case, output)
+    except ReadError as error:
+        raise ReadError(asked.telling.printed(error.problems)) from None
+    return read.allowing(asked.telling.allow)
 
 
 def _check_method(asked: SimulateOptions) -> None:
