@@ -91,7 +91,7 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:
     sets = [Mechanism(1, 2, 3, -2, name="D")]
-    case = Transmission(3, [ShiftElement(2)], sets, [Gear(kind="neutral"), Gear([1])])
+    case = Transmission(3, [ShiftElement(2)], sets, [Gear(), Gear([1])])
     (made,) = sweep(case, {"D.ratio": [-2, -3]}, out="ratio")
     assert made.status.tolist() == [0, 0]
     assert np.isnan(made.columns[:, 0]).all()

@@ -16,7 +16,6 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.core.extras import higher
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.statics.matrix import expected_ratio
 from vstatics.core.statics.points.parts import alike_rows
 from vstatics.core.statics.results import Results
@@ -325,12 +324,10 @@ def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, vari
             status[modes.tied_up] = TIED_UP
             status[modes.conflict] = CONFLICT
         return status
-    asked, is_free = plan.asked_gears, unvaried.missing > 0
-    for problem in undriven_gears(unvaried):
-        is_free[int(problem.path[1]) - 1] = False
+    asked = plan.asked_gears
     for code, affected in (
         (DRAGGED, results.dragged),
-        (OPEN, (results.missing > 0) & ~is_free),
+        (OPEN, (results.missing > 0) & (unvaried.missing == 0)),
         (OPEN, ~results.balanced & unvaried.balanced),
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),

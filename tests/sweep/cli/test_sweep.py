@@ -118,8 +118,7 @@ gears:
 @pytest.mark.parametrize(
     ("status", "gear"),
     [
-        ("ok", "[], kind: neutral"),
-        ("open", "[]"),
+        ("ok", "[]"),
         ("locked", "[A], input: second, output: carrier"),
         ("tied up", "[A, B], input: carrier, output: second"),
         ("conflict", "[A, C], input: carrier, output: second"),
