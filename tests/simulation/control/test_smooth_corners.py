@@ -245,3 +245,17 @@ torques:
     )
     slip = motion.speeds[:, 1] - motion.speeds[:, 2]
     assert np.interp([0.312, 0.317, 0.322], motion.time, slip) == pytest.approx(10, abs=1e-7)
+
+
+def test_a_slide_ends_where_another_relay_removes_its_jump() -> None:
+    """D carries 15 N*m, and the slip of a stays at 2 rad/s until b, free from 0.1 s on, has 0.5."""
+    case = """links: [a, b]
+inertias: {a: 1.5, b: 1}
+shift_elements: {D: {links: [a, b], drag: 15 N*m}, B: [b, housing]}
+"""
+    relay = "150*max(1 - (slip('D') > 2), slip('B') > 0.5)"
+    start = "duration: 0.4\nstart: {speeds: {a: 0, b: 0}}\n"
+    controls = "controls: {B: [[0, 40], [0.1, 40], [0.1, 0]], D: 0}\n"
+    motion = simulated(f'{start}{controls}torques: {{a: "{relay}"}}\n', case)
+    end = 0.1 + 0.5 / 15
+    assert motion.speeds[-1, 0] == pytest.approx(2.5 + (150 - 15) / 1.5 * (0.4 - end), rel=1e-7)

@@ -88,14 +88,15 @@ class Sliding:
             if slopes is None or number % _SAME_SLOPES == _SAME_SLOPES - 1:
                 moved = (shares + unit[:, None] for unit in np.eye(len(shares)))
                 slopes = np.array([self._left(*known, near) - left for near in moved])
-                slow = np.all(slopes == 0, axis=(0, 2))
-                # Links that stick to each other move at no share, so the mean of both sides acts.
-                still = slow & np.all(left == 0, axis=1)
-                slopes[still, still] = 1.0
-                slow &= ~still
-                if slow.any() and not self.slow.any():
+                flat = np.all(slopes == 0, axis=0)
+                slow = flat.all(axis=1) & np.any(left, axis=1)
+                if self.slopes is None and slow.any() and not self.slow.any():
                     self._slow_down(slow, known)
                     return self.at(times, states, rates)
+                # Links that stick to each other move at no share, so the mean of both sides acts.
+                # Where a jump vanishes, its share grows beyond 1, which ends the slide.
+                shares_of, places = np.nonzero(flat)
+                slopes[shares_of, shares_of, places] = 1.0
             try:
                 by_time = np.linalg.solve(slopes.transpose(2, 1, 0), left.T[..., None])
             except np.linalg.LinAlgError:
