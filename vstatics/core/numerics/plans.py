@@ -9,13 +9,16 @@ of any sign, which can choose another order of pivots.
 
 A plan of fixed sign calculates only magnitudes. It serves variants whose numbers have the same
 signs as in the recorded variant. A plan of any sign takes up to twice as many operations, but
-serves all variants of a structure.
+serves all variants of a structure. It is repeated with decimals of many digits for variants that
+only the rounding of floats excludes.
 """
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -24,7 +27,7 @@ from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay
 from vstatics.core.numerics.signed import Signed, Truth
 from vstatics.core.numerics.tape import Residual, Tape, Untraceable
-from vstatics.core.numerics.tolerances import LEAST_INPUT
+from vstatics.core.numerics.tolerances import DECIMAL_DIGITS, DECIMAL_ZERO, LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 from vstatics.core.start import NamedTuple
 
@@ -60,8 +63,10 @@ SAMPLED = 8
 class Plans:
     """Plans of a calculation, recorded when needed."""
 
-    def __init__(self, function: Function) -> None:
+    def __init__(self, function: Function, complete: Completion | None = None) -> None:
         self.function = function
+        self.complete = complete
+        """Function that completes results calculated with decimals; None if only floats apply."""
         self.plans: Sequence[Plan] = ()
         """Recorded plans: first plans of fixed sign, which take fewer steps, then by number of
         variants.
@@ -186,7 +191,18 @@ class Plans:
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
         self.alone += chosen.size
         for variant in chosen.tolist():
-            rows.put_variant(variant, self.function(inputs.values[:, variant].tolist()))
+            numbers = inputs.values[:, variant].tolist()
+            rows.put_variant(variant, self._in_decimals(numbers) or self.function(numbers))
+
+    def _in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
+        """Return the results of a variant that only the rounding of floats excludes from plans."""
+        if self.complete is None:
+            return None
+        for plan in self.plans:
+            if plan.signed and (results := plan.run_in_decimals(numbers)):
+                self.complete(numbers, results)
+                return results
+        return None
 
 
 SPREAD = 64.0
@@ -201,6 +217,10 @@ near or below 1.
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
 """Function that calculates the results of a variant from input numbers."""
+
+
+Completion = Callable[[Sequence[float], list[float]], None]
+"""Function of the inputs of a variant that changes its results in place."""
 
 
 class Range(NamedTuple):
@@ -271,13 +291,43 @@ class Plan:
 
     def run_one(self, numbers: Sequence[float]) -> list[float] | None:
         """Return the results of a single variant, or None if the plan does not apply."""
-        for number, (low, high) in zip(numbers, self.ranges, strict=True):
-            if not low <= number <= high:
-                return None
+        if not self._contains(numbers):
+            return None
         try:
             return self.replay.run_one(map(abs, numbers))
         except ZeroDivisionError:  # a divisor can underflow to 0
             return None
+
+    def _contains(self, numbers: Sequence[float]) -> bool:
+        for number, (low, high) in zip(numbers, self.ranges, strict=True):
+            if not low <= number <= high:
+                return False
+        return True
+
+    def run_in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
+        """Return the correctly rounded results of a variant, or None if a guard fails."""
+        if not (self._contains(numbers) and min(map(abs, numbers)) > LEAST_INPUT):
+            return None
+        from decimal import Context, Decimal, localcontext  # decimals cost start-up time
+
+        with localcontext(Context(DECIMAL_DIGITS, traps=[])):
+            given: Any = map(Decimal, numbers)
+            results = self._replay_in_decimals.run_one(given)
+        if results:
+            shorter = Context(DECIMAL_DIGITS * 3 // 4)
+            for row in self.replay.layout.varied:
+                number = float(shorter.create_decimal(results[row]))
+                results[row] = 0.0 if abs(number) < DECIMAL_ZERO else number
+        return results
+
+    @cached_property
+    def _replay_in_decimals(self) -> Replay:
+        from decimal import Decimal  # decimals cost start-up time
+
+        cells: list[Any] = list(self.replay.after_inputs)
+        constants = len(cells) - len(self.replay.layout.constants)
+        cells[:constants] = map(Decimal, cells[:constants])
+        return self.replay._replace(after_inputs=cells)
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:
