@@ -36,6 +36,11 @@ FEW_VARIANTS = 4
 
 `Plans.few` starts with this number, and grows by it after each plan that serves no more variants.
 """
+OFTEN = 3
+"""Number of individually calculated variants after which even a single variant gets a plan.
+
+Recording takes as much time as three or four variants.
+"""
 WORTH = 12
 """Cost of recording a plan, as a number of individually calculated variants."""
 STEPS_LIKE_ONE_VARIANT = 250
@@ -148,7 +153,7 @@ class Plans:
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
         total = inputs.values.shape[1]
-        often = left == total and self.alone > FEW_VARIANTS and self.special < TRIALS
+        often = left == total and self.alone >= OFTEN and self.special < TRIALS
         # A single variant with an input of 0 has no plan, but later variants can have plans.
         often &= total > 1 or bool(inputs.values.all())
         return left > self.few or (left > 0 and often)
