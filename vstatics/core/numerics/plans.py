@@ -174,6 +174,11 @@ class Plans:
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
         """Run a plan on the suitable variants among `chosen`, and return the remaining variants."""
+        if inputs.values.shape[1] == 1 and not plan.signed:
+            results = plan.run_one(inputs.values[:, 0].tolist())
+            rows.put_variant(0, results or ())
+            plan.served = int(results is not None)
+            return chosen[plan.served :]
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)

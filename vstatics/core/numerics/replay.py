@@ -38,33 +38,27 @@ def _minimum(first: Floats, second: Floats, result: Floats) -> None:
     np.minimum(first, second, out=result)
 
 
-ARRAYS: Mapping[str, Callable[..., Any]] = {
-    "absolute": _absolute,
-    "choose": _choose,
-    "distant": np.less_equal,
-    "apart": np.less,
-    "minimum": _minimum,
+FUNCTIONS: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    "add": (np.add, operator.add),
+    "subtract": (np.subtract, operator.sub),
+    "multiply": (np.multiply, operator.mul),
+    "divide": (np.divide, operator.truediv),
+    "absolute": (_absolute, lambda number, _: abs(number)),
+    "choose": (_choose, lambda margin, number: number if margin > 0 else None),
+    "copysign": (np.copysign, lambda size, number: -size if number < 0 else size),
+    "minimum": (_minimum, min),
+    "less": (np.less, operator.lt),
+    "less_equal": (np.less_equal, operator.le),
+    "equal": (np.equal, operator.eq),
+    "not_equal": (np.not_equal, operator.ne),
+    "greater": (np.greater, operator.gt),
+    "distant": (np.less_equal, lambda *_: True),
+    "apart": (np.less, lambda least, size: least < size * DECIMAL_LEAST),
 }
-"""Functions on arrays, for operations of a tape that NumPy does not have under the same name."""
+"""Functions on arrays and on single numbers, for operations of a tape.
 
-PLAIN: Mapping[str, Callable[..., Any]] = {
-    "add": operator.add,
-    "subtract": operator.sub,
-    "multiply": operator.mul,
-    "divide": operator.truediv,
-    "less": operator.lt,
-    "less_equal": operator.le,
-    "equal": operator.eq,
-    "not_equal": operator.ne,
-    "greater": operator.gt,
-    "absolute": lambda number, _: abs(number),
-    "choose": lambda margin, number: number if margin > 0 else None,
-    "copysign": lambda size, number: -size if number < 0 else size,
-    "minimum": min,
-    "distant": lambda *_: True,
-    "apart": lambda least, size: least < size * DECIMAL_LEAST,
-}
-"""Functions on a single number, for operations of a tape; on decimals for plans of any sign."""
+The numbers of plans of any sign are decimals.
+"""
 
 
 def _otherwise(number: Any, other: Any) -> Any:
@@ -207,8 +201,7 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
             # reused
             if third is not None:
                 cells.release(released)
-            function = ARRAYS.get(name) or getattr(np, name)
-            steps.append(Step(function, PLAIN[name], *operands, cell, more))
+            steps.append(Step(*FUNCTIONS[name], *operands, cell, more))
             steps += cells.copied(slot, copies)
     varies = set(varied)
     constants: list[tuple[int, Any]] = [
