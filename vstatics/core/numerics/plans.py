@@ -18,7 +18,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -321,8 +320,7 @@ class Plan:
         from decimal import Context, Decimal, localcontext  # decimals cost start-up time
 
         with localcontext(Context(DECIMAL_DIGITS, traps=[])):
-            given: Any = map(Decimal, numbers)
-            results = self._replay_in_decimals.run_one(given)
+            results = self._replay_in_decimals.run_one(map(Decimal, numbers))  # type: ignore[arg-type]
         if results:
             shorter = Context(DECIMAL_DIGITS * 3 // 4)
             for row in self.replay.layout.varied:
@@ -334,9 +332,9 @@ class Plan:
     def _replay_in_decimals(self) -> Replay:
         from decimal import Decimal  # decimals cost start-up time
 
-        cells: list[Any] = list(self.replay.after_inputs)
+        cells = list(self.replay.after_inputs)
         constants = len(cells) - len(self.replay.layout.constants)
-        cells[:constants] = map(Decimal, cells[:constants])
+        cells[:constants] = map(Decimal, cells[:constants])  # type: ignore[arg-type]
         return self.replay._replace(after_inputs=cells)
 
 

@@ -38,7 +38,10 @@ def _minimum(first: Floats, second: Floats, result: Floats) -> None:
     np.minimum(first, second, out=result)
 
 
-FUNCTIONS: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+Operator = Callable[..., Any]
+"""Function of two or three operands; for arrays, the last argument is the array of the result."""
+
+FUNCTIONS: Mapping[str, tuple[Operator, Operator]] = {
     "add": (np.add, operator.add),
     "subtract": (np.subtract, operator.sub),
     "multiply": (np.multiply, operator.mul),
@@ -61,7 +64,7 @@ The numbers of plans of any sign are decimals.
 """
 
 
-def _otherwise(number: Any, other: Any) -> Any:
+def _otherwise(number: float | None, other: float) -> float:
     """Return the second number of a choice if the first is not chosen."""
     return other if number is None else number
 
@@ -89,8 +92,8 @@ def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Boo
 class Step(NamedTuple):
     """Operation of a replay: functions for arrays and for floats, and numbers of operand cells."""
 
-    function: Callable[..., Any]
-    plain: Callable[..., Any]
+    function: Operator
+    plain: Operator
     first: int
     second: int
     result: int | None
@@ -99,7 +102,7 @@ class Step(NamedTuple):
     """Cell of the third operand of a choice."""
 
 
-PlainStep = tuple[Callable[..., Any], int, int, int | None]
+PlainStep = tuple[Operator, int, int, int | None]
 """Operation on a number: function, cells of two operands, cell of the result (None for a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
