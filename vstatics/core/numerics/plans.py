@@ -35,10 +35,10 @@ FEW_VARIANTS = 4
 
 `Plans.few` starts with this number, and grows by it after each plan that serves no more variants.
 """
-OFTEN = 3
+OFTEN = 2
 """Number of individually calculated variants after which even a single variant gets a plan.
 
-Recording takes as much time as three or four variants.
+Recording a plan of fixed sign takes as much time as three or four variants.
 """
 WORTH = 12
 """Cost of recording a plan, as a number of individually calculated variants."""
