@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
-from itertools import accumulate, chain
+from itertools import accumulate
 from operator import attrgetter
 from typing import Any, Literal, get_args
 
@@ -374,7 +374,7 @@ def _is_without_numbers(case: Transmission, gear: Gear) -> bool:
 
     Other numbers count as the decimals as written in fractions, but as floats in plans.
     """
-    by_part = gear.drag, gear.open_drag, gear.loss_torques, gear.speed_ratios
-    numbers = [*chain.from_iterable(numbers.values() for numbers in by_part), *case.springs]
-    numbers += [mechanism.back_efficiency for mechanism in case.mechanisms]
-    return case.conserves_power(gear) and not any(numbers)
+    given = gear.speeds, gear.torques, gear.slip, gear.speed_ratios, case.springs
+    drag = *gear.drag.values(), *gear.open_drag.values(), *gear.loss_torques.values()
+    back = (mechanism.back_efficiency for mechanism in case.mechanisms)
+    return not (any(given) or any(drag) or any(back) or case.has_converter)
