@@ -188,6 +188,9 @@ of writing direction, and lone surrogates (halves of a character).
 """
 _IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
+_SAFE = bytes([*b"\n", *range(0x20, 0x7F)])
+"""Line feed and all characters of ASCII that are safe in any output."""
+
 
 def printable(text: str, *, lines: bool = False) -> str:
     r"""Return a text in which all characters that could control a terminal are escaped.
@@ -205,7 +208,11 @@ def printable(text: str, *, lines: bool = False) -> str:
     \u001b[31mred\u000a a
     \u202eb
     """
-    if (text.replace("\n", "") if lines else text).isprintable():
+    if lines and text.isascii():
+        is_safe = not text.encode().translate(None, _SAFE)
+    else:
+        is_safe = (text.replace("\n", "") if lines else text).isprintable()
+    if is_safe:
         return text  # fast test, sufficient for nearly all texts
     pattern = _IN_LINES if lines else _IN_LINE
     return re.sub(pattern, lambda match: f"\\u{ord(match[0]):04x}", text)

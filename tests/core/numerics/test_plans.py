@@ -16,7 +16,15 @@ from tests.core.numerics.programs import Program, programs, rows_for, run, same_
 from vstatics.core.numerics import plans
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Rows
-from vstatics.core.numerics.plans import FEW_VARIANTS, SAMPLED, SPREAD, TRIALS, Plans, prepared
+from vstatics.core.numerics.plans import (
+    FEW_VARIANTS,
+    OFTEN,
+    SAMPLED,
+    SPREAD,
+    TRIALS,
+    Plans,
+    prepared,
+)
 from vstatics.core.numerics.traced import Number, absolute, is_traced, plain
 
 Function = Callable[[Sequence[Number]], list[Number]]
@@ -95,7 +103,7 @@ def test_few_variants_are_not_worth_a_plan_unless_they_come_often() -> None:
     for number in range(40):
         check(own, branches, [[2.0 + number / 1000]])
     assert len(own.plans) == 1
-    assert counted.alone == FEW_VARIANTS + 1
+    assert counted.alone == OFTEN
 
 
 def test_a_single_variant_has_the_numbers_of_the_function_with_and_without_a_plan() -> None:

@@ -5,14 +5,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
-from tests.chance import ranges_with_slow, seeded
+from tests.chance import generator, ranges_with_slow, seeded
+from tests.commands import CASES
 from tests.core.statics.test_against_oracle import _disagreements as differences
 from tests.oracle import gears as oracle
 from tests.oracle import linear, losses, systems
 from tests.trains import random_train, shown
-from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
+from vstatics.core.statics import freewheels
 
 Choices = Sequence[float]
 SINGULAR = "with slightly different ratios there would be no unique solution"
@@ -134,6 +137,43 @@ def test_speeds_and_torques_of_nearly_one_ratio_are_those_of_fractions(seeds: ra
                 expected = math.nan if wanted is None else float(wanted)
                 close = pytest.approx(expected, rel=2e-6, abs=1e-14, nan_ok=True)
                 assert got == close, (seed, shown(case))
+
+
+@pytest.mark.usefixtures("as_doubles")
+@ranges_with_slow(6, 20, 200)
+def test_variants_of_nearly_one_ratio_have_rounded_fractions(
+    seeds: range, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each number is the float closest to the exact fraction, although no fraction is calculated.
+
+    Half of the other variants have ratios near enough to 1 for self-locking.
+    """
+    case, (near, some) = load(CASES / "mzkt7922.dat"), (slice(5, None, 250), slice(0, None, 2))
+    monkeypatch.setattr(freewheels, "_exact_state", None)
+    for seed in seeds:
+        rng = generator(seed)
+        u = rng.choice((-1, 1, 1), (1000, 3)) * rng.uniform(0.5, 3, (1000, 3))
+        u[some] = rng.choice((-1, 1, 1), (500, 3)) * rng.uniform(0.95, 1.05, (500, 3))
+        u[near, seed % 3] = 1 + rng.choice((1, -1), 4) * 10 ** rng.uniform(-6.5, -4.1, 4)
+        losses = rng.uniform(0.9, 0.99, u.shape)
+        results = solve(case, ratios=u, efficiencies=losses)
+        assert results.exact[near].all()
+        for variant in range(5, 1000, 250):
+            numbers = zip(
+                case.mechanisms, u[variant].tolist(), losses[variant].tolist(), strict=True
+            )
+            sets = [m._replace(ratio=ratio, efficiency=eta) for m, ratio, eta in numbers]
+            for gear, exact in enumerate(oracle.solve(replace(case, mechanisms=sets))):
+                for name, wanted in (
+                    ("speeds", exact.speeds),
+                    ("slip_speeds", exact.slip_speeds),
+                    ("torques", exact.torques.listed),
+                    ("lossy_torques", exact.lossy_torques.listed),
+                    ("losses", exact.losses),
+                ):
+                    got = getattr(results, name)[variant, gear]
+                    expected = np.array(wanted, np.float64)
+                    np.testing.assert_array_equal(got, expected, name)
 
 
 def is_wrong(got: float, exact: object) -> bool:

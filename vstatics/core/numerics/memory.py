@@ -82,8 +82,9 @@ class Rows:
 
     def put_variant(self, variant: int, values: Sequence[Any]) -> None:
         """Write the values of all rows for a variant."""
+        holds = self.holds
         for row, value in enumerate(values):
-            if not self._holds(row, value):
+            if not (holds.get(row, holds) is value or self._holds(row, value)):
                 self.vary(row)[variant] = value
 
     def vary(self, row: int) -> Any:

@@ -9,13 +9,15 @@ of any sign, which can choose another order of pivots.
 
 A plan of fixed sign calculates only magnitudes. It serves variants whose numbers have the same
 signs as in the recorded variant. A plan of any sign takes up to twice as many operations, but
-serves all variants of a structure.
+serves all variants of a structure. It is repeated with decimals of many digits for variants that
+only the rounding of floats excludes.
 """
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -24,7 +26,7 @@ from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay
 from vstatics.core.numerics.signed import Signed, Truth
 from vstatics.core.numerics.tape import Residual, Tape, Untraceable
-from vstatics.core.numerics.tolerances import LEAST_INPUT
+from vstatics.core.numerics.tolerances import DECIMAL_DIGITS, DECIMAL_ZERO, LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 from vstatics.core.start import NamedTuple
 
@@ -32,6 +34,11 @@ FEW_VARIANTS = 4
 """Number of variants up to which all are calculated individually, without a plan.
 
 `Plans.few` starts with this number, and grows by it after each plan that serves no more variants.
+"""
+OFTEN = 2
+"""Number of individually calculated variants after which even a single variant gets a plan.
+
+Recording a plan of fixed sign takes as much time as three or four variants.
 """
 WORTH = 12
 """Cost of recording a plan, as a number of individually calculated variants."""
@@ -60,8 +67,10 @@ SAMPLED = 8
 class Plans:
     """Plans of a calculation, recorded when needed."""
 
-    def __init__(self, function: Function) -> None:
+    def __init__(self, function: Function, complete: Completion | None = None) -> None:
         self.function = function
+        self.complete = complete
+        """Function that completes results calculated with decimals; None if only floats apply."""
         self.plans: Sequence[Plan] = ()
         """Recorded plans: first plans of fixed sign, which take fewer steps, then by number of
         variants.
@@ -143,7 +152,7 @@ class Plans:
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
         total = inputs.values.shape[1]
-        often = left == total and self.alone > FEW_VARIANTS and self.special < TRIALS
+        often = left == total and self.alone >= OFTEN and self.special < TRIALS
         # A single variant with an input of 0 has no plan, but later variants can have plans.
         often &= total > 1 or bool(inputs.values.all())
         return left > self.few or (left > 0 and often)
@@ -164,6 +173,11 @@ class Plans:
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
         """Run a plan on the suitable variants among `chosen`, and return the remaining variants."""
+        if inputs.values.shape[1] == 1 and not plan.signed:
+            results = plan.run_one(inputs.values[:, 0].tolist())
+            rows.put_variant(0, results or ())
+            plan.served = int(results is not None)
+            return chosen[plan.served :]
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
@@ -186,7 +200,18 @@ class Plans:
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
         self.alone += chosen.size
         for variant in chosen.tolist():
-            rows.put_variant(variant, self.function(inputs.values[:, variant].tolist()))
+            numbers = inputs.values[:, variant].tolist()
+            rows.put_variant(variant, self._in_decimals(numbers) or self.function(numbers))
+
+    def _in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
+        """Return the results of a variant that only the rounding of floats excludes from plans."""
+        if self.complete is None:
+            return None
+        for plan in self.plans:
+            if plan.signed and (results := plan.run_in_decimals(numbers)):
+                self.complete(numbers, results)
+                return results
+        return None
 
 
 SPREAD = 64.0
@@ -201,6 +226,10 @@ near or below 1.
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
 """Function that calculates the results of a variant from input numbers."""
+
+
+Completion = Callable[[Sequence[float], list[float]], None]
+"""Function of the inputs of a variant that changes its results in place."""
 
 
 class Range(NamedTuple):
@@ -271,13 +300,42 @@ class Plan:
 
     def run_one(self, numbers: Sequence[float]) -> list[float] | None:
         """Return the results of a single variant, or None if the plan does not apply."""
-        for number, (low, high) in zip(numbers, self.ranges, strict=True):
-            if not low <= number <= high:
-                return None
+        if not self._contains(numbers):
+            return None
         try:
             return self.replay.run_one(map(abs, numbers))
         except ZeroDivisionError:  # a divisor can underflow to 0
             return None
+
+    def _contains(self, numbers: Sequence[float]) -> bool:
+        for number, (low, high) in zip(numbers, self.ranges, strict=True):
+            if not low <= number <= high:
+                return False
+        return True
+
+    def run_in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
+        """Return the correctly rounded results of a variant, or None if a guard fails."""
+        if not (self._contains(numbers) and min(map(abs, numbers)) > LEAST_INPUT):
+            return None
+        from decimal import Context, Decimal, localcontext  # decimals cost start-up time
+
+        with localcontext(Context(DECIMAL_DIGITS, traps=[])):
+            results = self._replay_in_decimals.run_one(map(Decimal, numbers))  # type: ignore[arg-type]
+        if results:
+            shorter = Context(DECIMAL_DIGITS * 3 // 4)
+            for row in self.replay.layout.varied:
+                number = float(shorter.create_decimal(results[row]))
+                results[row] = 0.0 if abs(number) < DECIMAL_ZERO else number
+        return results
+
+    @cached_property
+    def _replay_in_decimals(self) -> Replay:
+        from decimal import Decimal  # decimals cost start-up time
+
+        cells = list(self.replay.after_inputs)
+        constants = len(cells) - len(self.replay.layout.constants)
+        cells[:constants] = map(Decimal, cells[:constants])  # type: ignore[arg-type]
+        return self.replay._replace(after_inputs=cells)
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:

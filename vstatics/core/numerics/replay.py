@@ -13,6 +13,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.memory import Layout, Rows
 from vstatics.core.numerics.signed import Signed, Truth, upright
 from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
+from vstatics.core.numerics.tolerances import DECIMAL_LEAST
 from vstatics.core.numerics.traced import Number, Traced
 from vstatics.core.start import NamedTuple
 
@@ -37,29 +38,35 @@ def _minimum(first: Floats, second: Floats, result: Floats) -> None:
     np.minimum(first, second, out=result)
 
 
-def _of_arrays(first: float, second: float) -> float:
-    """Raise an error, because only arrays use this function of plans of any sign."""
-    raise NotImplementedError
+Operator = Callable[..., Any]
+"""Function of two or three operands; for arrays, the last argument is the array of the result."""
 
-
-ARRAYS: Mapping[str, Callable[..., Any]] = {
-    "absolute": _absolute,
-    "choose": _choose,
-    "minimum": _minimum,
+FUNCTIONS: Mapping[str, tuple[Operator, Operator]] = {
+    "add": (np.add, operator.add),
+    "subtract": (np.subtract, operator.sub),
+    "multiply": (np.multiply, operator.mul),
+    "divide": (np.divide, operator.truediv),
+    "absolute": (_absolute, lambda number, _: abs(number)),
+    "choose": (_choose, lambda margin, number: number if margin > 0 else None),
+    "copysign": (np.copysign, lambda size, number: -size if number < 0 else size),
+    "minimum": (_minimum, min),
+    "less": (np.less, operator.lt),
+    "less_equal": (np.less_equal, operator.le),
+    "equal": (np.equal, operator.eq),
+    "not_equal": (np.not_equal, operator.ne),
+    "greater": (np.greater, operator.gt),
+    "distant": (np.less_equal, lambda *_: True),
+    "apart": (np.less, lambda least, size: least < size * DECIMAL_LEAST),
 }
-"""Functions on arrays, for operations of a tape that NumPy does not have under the same name."""
+"""Functions on arrays and on single numbers, for operations of a tape.
 
-PLAIN: Mapping[str, Callable[..., float]] = {
-    "add": operator.add,
-    "subtract": operator.sub,
-    "multiply": operator.mul,
-    "divide": operator.truediv,
-    "less": operator.lt,
-    "less_equal": operator.le,
-    "equal": operator.eq,
-    "not_equal": operator.ne,
-}
-"""Functions on floats, for operations of a tape."""
+The numbers of plans of any sign are decimals.
+"""
+
+
+def _otherwise(number: float | None, other: float) -> float:
+    """Return the second number of a choice if the first is not chosen."""
+    return other if number is None else number
 
 
 class _WorkingMemory(threading.local):
@@ -85,8 +92,8 @@ def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Boo
 class Step(NamedTuple):
     """Operation of a replay: functions for arrays and for floats, and numbers of operand cells."""
 
-    function: Callable[..., Any]
-    plain: Callable[..., float]
+    function: Operator
+    plain: Operator
     first: int
     second: int
     result: int | None
@@ -95,8 +102,8 @@ class Step(NamedTuple):
     """Cell of the third operand of a choice."""
 
 
-PlainStep = tuple[Callable[..., float], int, int, int | None]
-"""Operation on floats: function, cells of two operands, cell of the result (None for a guard).
+PlainStep = tuple[Operator, int, int, int | None]
+"""Operation on a number: function, cells of two operands, cell of the result (None for a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
 """
@@ -117,7 +124,7 @@ class Replay(NamedTuple):
     layout: Layout
     """Results that vary and results that are constant."""
     plain_steps: Sequence[PlainStep]
-    """Steps with the functions for floats."""
+    """Steps with the functions for a single number."""
     after_inputs: Sequence[float]
     """Values of the cells after the inputs in `run_one`: zeros, constants of steps and results."""
     results: Sequence[int]
@@ -155,9 +162,10 @@ class Replay(NamedTuple):
             passed[part] &= holds[:, :size].all(axis=0)
 
     def run_one(self, magnitudes: Iterable[float]) -> list[float] | None:
-        """Return the results of a single variant of fixed sign, or None if a guard fails.
+        """Return the results of a single variant, or None if a guard fails.
 
-        Floats take a quarter of the time of arrays with a single number.
+        Plans of fixed sign need floats, which take a quarter of the time of arrays with a single
+        number. Plans of any sign need decimals, also in `after_inputs`.
         """
         cells = [*magnitudes, *self.after_inputs]
         for function, first, second, result in self.plain_steps:
@@ -196,8 +204,7 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
             # reused
             if third is not None:
                 cells.release(released)
-            function = ARRAYS.get(name) or getattr(np, name)
-            steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
+            steps.append(Step(*FUNCTIONS[name], *operands, cell, more))
             steps += cells.copied(slot, copies)
     varies = set(varied)
     constants: list[tuple[int, Any]] = [
@@ -208,12 +215,17 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
     count = tape.inputs + unknown + len(plain)
     cell_of = {row: cell for cell, row in enumerate(varied, tape.inputs)}
     cell_of |= {row: cell for cell, (row, _) in enumerate(constants, count)}
+    plain_steps: list[PlainStep] = []
+    for step in steps:
+        plain_steps.append((step.plain, step.first % count, step.second % count, step.result))
+        if step.third is not None and step.result is not None:
+            plain_steps.append((_otherwise, step.result, step.third % count, step.result))
     return Replay(
         steps,
         cells.working,
         plain,
         Layout(varied, constants),
-        [(step.plain, step.first % count, step.second % count, step.result) for step in steps],
+        plain_steps,
         [*[0.0] * unknown, *plain, *(value for _, value in constants)],
         [cell_of[row] for row in range(len(results))],
     )

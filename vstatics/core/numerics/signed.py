@@ -183,6 +183,17 @@ Condition = bool | Truth
 """Boolean, or a comparison whose value can differ between variants."""
 
 
+def renamed(comparison: Condition, name: str) -> Condition:
+    """Return a comparison whose guard does not apply to decimals, or applies with another limit.
+
+    >>> renamed(1.0 < 2.0, "apart")
+    True
+    """
+    if not isinstance(comparison, Truth):
+        return comparison
+    return Truth(comparison.tape, name, comparison.left, comparison.right)
+
+
 def _ends(tape: Tape, left: Either, right: Either) -> tuple[Operand, Operand]:
     numbers = [number for number in (left, right) if isinstance(number, Signed)]
     if all(number.negated for number in numbers):
@@ -361,8 +372,10 @@ def guarded_sum(first: Either, second: Either, part: float) -> Either:
         return total
     ends = [max(map(abs, bounds_of(number))) for number in (first, second)]
     left = max(total.low, -total.high)
-    if not (left > part * max(ends) or size_of(_cheapest(first, second)) * part < size_of(total)):
-        raise Untraceable
+    if not left > part * max(ends):
+        is_clear = size_of(_cheapest(first, second)) * part < size_of(total)
+        if not renamed(is_clear, "apart"):
+            raise Untraceable
     return total
 
 

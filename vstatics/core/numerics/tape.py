@@ -8,8 +8,11 @@ from vstatics.core.start import NamedTuple
 
 MOST_OPERATIONS = 20_000
 """Largest number of operations on a tape. Recording a longer calculation does not save time."""
-GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
-"""Names of comparisons. A tape applies only to variants in which all comparisons are true."""
+GUARDS = frozenset({"less", "less_equal", "equal", "not_equal", "distant", "apart"})
+"""Names of comparisons. A tape applies only to variants in which all comparisons are true.
+
+The guards `distant` and `apart` exclude variants only because of the rounding of floats.
+"""
 
 
 class Untraceable(Exception):  # noqa: N818
@@ -27,7 +30,7 @@ Operand = int | Plain
 
 HUGE = 1e100
 """Largest permitted magnitude in the first variant, and inverse of the smallest."""
-NEGATIONS = {"less": "less_equal", "less_equal": "less"}
+NEGATIONS = {"less": "less_equal", "less_equal": "less", "close": "distant", "apart": "less_equal"}
 """Negation of each comparison, if the operands are also exchanged."""
 
 

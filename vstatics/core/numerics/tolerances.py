@@ -78,6 +78,18 @@ LAST_BITS = 1e-12
 """Largest relative difference between results from different processors."""
 LEAST_INPUT = 1e-20
 """Smallest magnitude of inputs for a plan of any sign, and inverse of the largest magnitude."""
+DECIMAL_DIGITS = 120
+"""Digits of decimals for variants for which floats are too inaccurate.
+
+Results keep three quarters of them, so that numbers halfway between two floats are found exactly.
+"""
+DECIMAL_LEAST = 16
+"""Quotient of the smallest differences for which a plan is valid with floats and with decimals.
+
+With decimals a sum loses seven digits at most.
+"""
+DECIMAL_ZERO = 1e-32
+"""Magnitude below which a result calculated with decimals counts as rounding."""
 SURE_BOUNDS = 1e-9
 """Relative margin by which bounds must differ to decide a comparison in spite of rounding."""
 SURE_MAGNITUDES = 1 + 1e-9

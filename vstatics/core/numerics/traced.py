@@ -126,6 +126,8 @@ def is_exact(number: object) -> bool:
 
 _ROUNDED = float, int, Traced, Signed
 """Types of numbers with rounding errors."""
+_OF_VARIANTS = Traced, Signed, Residual
+"""Types of numbers that represent all variants."""
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
@@ -165,7 +167,7 @@ def plain(number: Number | Residual) -> float:
     TypeError
         If the number is traced.
     """
-    if isinstance(number, Traced | Signed | Residual):
+    if isinstance(number, _OF_VARIANTS):
         raise TypeError("a traced number stands for many variants")
     return number
 
@@ -316,7 +318,7 @@ def sign(number: Number) -> Number:
 
 def is_nan(number: Number) -> bool:
     """Return whether a number is a plain NaN."""
-    return not isinstance(number, Traced | Signed) and math.isnan(number)
+    return not isinstance(number, _OF_VARIANTS) and math.isnan(number)
 
 
 def of_any_sign(number: Number) -> float | Signed:

@@ -14,6 +14,7 @@ from itertools import chain, combinations
 from typing import Any
 
 from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.signed import renamed
 from vstatics.core.numerics.tape import Untraceable
 from vstatics.core.numerics.tolerances import NEAR_ONE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, may_lie, plain, sign
@@ -56,7 +57,7 @@ def find_state(
         `speed_ratios` override `ratios`. [-]
     """
     ratios = case.gear_ratios(gear, ratios)
-    if not _is_nearly_one(case, ratios):
+    if not is_nearly_one(case, ratios):
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
             return state
@@ -65,7 +66,7 @@ def find_state(
     return _exact_state(case, gear, ratios, efficiencies)
 
 
-def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
+def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     """Return whether any mechanism with three links has a ratio close to 1, but not 1.
 
     Rounding can then leave no correct digit. Traced numbers give a common answer for all variants.
@@ -73,7 +74,7 @@ def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     return any(
         mechanism.third
         and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
-        and bool(absolute(ratio - 1) < NEAR_ONE and ratio != 1)
+        and bool(renamed(absolute(ratio - 1) < NEAR_ONE, "close") and ratio != 1)
         for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
     )
 

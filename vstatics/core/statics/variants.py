@@ -20,14 +20,14 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.numerics import memory
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Form
-from vstatics.core.numerics.plans import Function, Plans, prepared
+from vstatics.core.numerics.plans import Plans, prepared
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number
 from vstatics.core.start import NamedTuple
 from vstatics.core.statics import matrix
 from vstatics.core.statics.efficiency import Efficiency
-from vstatics.core.statics.freewheels import find_state
+from vstatics.core.statics.freewheels import find_state, is_nearly_one
 from vstatics.core.statics.result_arrays import ARRAYS, row_counts
 from vstatics.core.statics.state import flat, guard_power, values_of
 
@@ -97,8 +97,8 @@ def solve_variants(
             key = (*structure, *gear_inputs.key, *of_gear)
         if gear_inputs.rows:
             numbers = np.vstack([values, *gear_inputs.rows])
-        function = partial(_function, case, gear, fixed, names, gear_inputs)
-        calls.append((_remembered(key, function), numbers))
+        create = partial(_plans_of, case, gear, fixed, widths, gear_inputs)
+        calls.append((_remembered(key, create), numbers))
     tables = _tables_of_one(calls, widths) if variants == 1 else _tables(calls, widths, values)
     shape = variants, len(case.gears)
     return {
@@ -328,24 +328,24 @@ def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     return (0.0, *(matrix.given_torque(case, gear, torque) for torque in given))
 
 
-def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
+def _remembered(key: Hashable, create: Callable[[], Plans]) -> Plans:
     """Return the plans of a gear, stored under a key without the numbers that vary."""
     with _lock:
-        plans = _plans.pop(key, None) or Plans(function())
+        plans = _plans.pop(key, None) or create()
         _plans[key] = plans  # the most recently used plans are last
         while len(_plans) > REMEMBERED:
             del _plans[next(iter(_plans))]
     return plans
 
 
-def _function(
+def _plans_of(
     case: Transmission,
     gear: Gear,
     fixed: Sequence[float | None],
-    names: Sequence[str],
+    widths: Mapping[str, int],
     gear_inputs: _GearInputs,
-) -> Function:
-    count = len(case.mechanisms)
+) -> Plans:
+    count, names = len(case.mechanisms), tuple(widths)
 
     def calculate(numbers: Sequence[Number]) -> list[Number | Residual | Condition]:
         varied = iter(numbers)
@@ -357,4 +357,24 @@ def _function(
         guard_power(state)
         return flat(values, names)
 
-    return calculate
+    if gear_inputs.key or not (set(fixed) <= {None, 1} and _is_without_numbers(case, gear)):
+        return Plans(calculate)
+    row = sum(widths[name] for name in names[: names.index("exact")])
+
+    def mark(numbers: Sequence[float], results: list[float]) -> None:
+        varied = iter(numbers)
+        ratios = [next(varied) if number is None else number for number in fixed[:count]]
+        results[row] = is_nearly_one(case, ratios)
+
+    return Plans(calculate, mark)
+
+
+def _is_without_numbers(case: Transmission, gear: Gear) -> bool:
+    """Return whether ratios and efficiencies are the only numbers of a gear.
+
+    Other numbers count as the decimals as written in fractions, but as floats in plans.
+    """
+    given = gear.speeds, gear.torques, gear.slip, gear.speed_ratios, case.springs
+    drag = *gear.drag.values(), *gear.open_drag.values(), *gear.loss_torques.values()
+    back = (mechanism.back_efficiency for mechanism in case.mechanisms)
+    return not (any(given) or any(drag) or any(back) or case.has_converter)

@@ -85,9 +85,9 @@ def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
         return
     elements = len(case.shift_elements)
     if elements:
-        first = table._replace(rows=table.rows[:elements], values=table.values[:elements])
+        first = Table(quantity, table.rows[:elements], table.columns, table.values[:elements])
         yield quantity.heading, _indices(quantity, "I=1,KL"), first
-    second = table._replace(rows=table.rows[elements:], values=table.values[elements:])
+    second = Table(quantity, table.rows[elements:], table.columns, table.values[elements:])
     yield quantity.members[case.drawing is not None], _indices(quantity, "I=(KL+1),KLG1"), second
 
 
