@@ -101,15 +101,15 @@ class Selection:
         BROWSER.files = {
             item.path for item in taken if "browser" in getattr(item, "fixturenames", ())
         }
-        # Files taken in full come first, then those that share a browser: one process builds what
-        # they share.
+        # Files taken in full come first, then files that share a browser, so that one process
+        # builds what they share.
         items[:] = sorted(
             taken, key=lambda item: (not is_in_full(item.path), item.path not in BROWSER.files)
         )
 
 
 class SharedBrowser:
-    """A browser for all files that use it: to start it takes as long as ten tests.
+    """Browser that all files share, because starting a browser takes as long as ten tests.
 
     It ends before a test of any other file: while its thread runs, no process can be forked.
     """

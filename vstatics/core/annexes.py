@@ -233,13 +233,13 @@ def picture_kinds() -> Mapping[str, PictureKind]:
 def picture_kind_of(command: Sequence[str]) -> str:
     """Return the kind of picture that shows the results of a command; empty if none is obvious.
 
-    A kind of picture has the name of the command, or is the only kind of its annex.
+    The kind has the name of the command, or is the only kind of the annex with the command.
 
     >>> picture_kind_of(["vstatics", "run"])
     ''
     """
-    own = [annex.pictures for annex in annexes() if not annex.commands.keys().isdisjoint(command)]
-    only = [kind for pictures in own if len(pictures) == 1 for kind in pictures]
+    named = [annex for annex in annexes() if not annex.commands.keys().isdisjoint(command)]
+    only = [kind for annex in named if len(annex.pictures) == 1 for kind in annex.pictures]
     return next((kind for kind in picture_kinds() if kind in command or kind in only), "")
 
 

@@ -189,7 +189,7 @@ of writing direction, and lone surrogates (halves of a character).
 _IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
 _SAFE = bytes([*b"\n", *range(0x20, 0x7F)])
-"""Line feed and all characters of ASCII that are safe in any output."""
+"""ASCII characters that are safe in any output: line feed and all printable characters."""
 
 
 def printable(text: str, *, lines: bool = False) -> str:

@@ -87,7 +87,7 @@ class Chunk(NamedTuple):
     noticed: tuple[Noticed, ...] = ()
     """Messages of simulated runs, each once for the whole range."""
     solved: int = 0
-    """Number of variants in the whole range with a solution in every gear that has a row."""
+    """Number of variants in the whole range with a solution in all requested gears."""
 
     @property
     def variants(self) -> Integers:

@@ -37,7 +37,7 @@ class SweepReport(NamedTuple):
     noticed: tuple[Noticed, ...]
     """Messages of simulated runs."""
     solved: int
-    """Number of variants with a solution in every gear that is asked for."""
+    """Number of variants with a solution in all requested gears."""
 
     @classmethod
     def of(cls, accounts: Sequence[Account]) -> SweepReport:

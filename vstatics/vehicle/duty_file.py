@@ -139,13 +139,13 @@ def _driven(case: Transmission) -> Transmission:
 
 
 def _instants(table: UnitTable) -> Iterator[Message]:
-    """Yield a warning if the durations of the points are probably instants of a record."""
+    """Yield a warning if the durations of points are probably the times of a record."""
     times = table.numbers.get("time", ())
     if len(times) > 2 and times[0] == 0 and all(map(operator.lt, times, times[1:])):
         yield Message(
             "W893",
-            "`time` rises from 0 in each row, as instants of a record do, but each row is "
-            "calculated for this duration; for a record with equal time steps, give `share` 1 in "
+            "`time` starts at 0 and rises in each row, as in a record, but is read as the duration "
+            "of each row; for a record with equal time steps, replace `time` with `share`, 1 in "
             "each row",
         )
 

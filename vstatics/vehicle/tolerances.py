@@ -21,7 +21,7 @@ LEAST_EXCESS = 1e-9
 LEAST_CLUTCH_FORCE = 4e-9
 """Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
 LEAST_OPENING = 1e-11
-"""Torque or power of an opening element that counts as 0, relative to the wanted force. [-]"""
+"""Torque or power of a shift element that counts as 0, relative to its initial value. [-]"""
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""
 SMALLEST_NUMBER = 1e-15

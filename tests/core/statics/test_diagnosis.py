@@ -208,5 +208,5 @@ def test_an_output_that_no_component_joins_is_the_cause_of_a_gear_that_cannot_dr
     """Link 4 is the output by default, as the last link, but the planetary set ends at link 3."""
     results = solve(train([(2, 0)], Gear([1]), links=4, output=4))
     [problem] = undriven_gears(results)
-    assert problem.message == "cannot drive: no component is connected to the output, link 4"
-    assert "warning: neutral: no component is connected to the output, link 4" in texts(results)
+    assert problem.message == "cannot drive: no component is connected to the output (link 4)"
+    assert "warning: neutral: no component is connected to the output (link 4)" in texts(results)

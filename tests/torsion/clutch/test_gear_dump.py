@@ -157,7 +157,7 @@ def test_numbers_that_give_no_torque_are_told() -> None:
     assert "expected a finite number above 0" in found.error or "too large" in found.error
 
 
-def test_a_gear_that_is_not_there() -> None:
+def test_an_unknown_gear_is_rejected() -> None:
     with pytest.raises(ValueError, match="no gear"):
         gear_dumps(loads(car("ВАЗ-2101")), ["7"])
 

@@ -69,7 +69,7 @@ class Account(NamedTuple):
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     solved: int = 0
-    """Number of variants with a solution in every gear that has a row."""
+    """Number of variants with a solution in all requested gears."""
     work: str = ""
     """Hash of the definition of the work."""
 

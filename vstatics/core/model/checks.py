@@ -89,7 +89,7 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.core.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
-    if case.links <= max(_most_links(case), 2):  # annexes can list all links
+    if case.links <= max(_most_links(case), 2):  # checks of annexes list all links in memory
         for key in carried_keys(case):
             yield from key.problems(case)
 
@@ -211,13 +211,14 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     yield from _turning(case)
     yield from _twins(case)
     if case.springs:
-        yield from still_in_vibration(case)
+        yield from notes_on_vibration(case)
 
 
-def still_in_vibration(case: TransmissionFields) -> Iterator[Problem]:
+def notes_on_vibration(case: TransmissionFields) -> Iterator[Problem]:
     """Yield notes about data that vibration ignores, and springs that never twist in vibration.
 
-    The input can have a given motion, such as a road, and an inertia of 0 is deliberate.
+    A spring at the input causes no note, because the motion of the input can be given. A given
+    inertia of 0 causes no note either, because it is deliberate.
     """
     yield from left_out(case)
     joined = Counter(
@@ -291,7 +292,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 def _most_links(case: TransmissionFields) -> int:
     """Return the largest number of links that the components of a case can connect.
 
-    It limits the number of links, so that a short text cannot claim a large amount of memory.
+    The number of links is limited to this, so that a short text cannot claim much memory.
     """
     joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
     return joined + sum(len(spring.twist) for spring in case.springs) + len(case.heavy)

@@ -700,8 +700,8 @@ class Gear(NamedTuple):
     open : sequence of int
         Disengaged converters, which transmit no torque in this gear, numbered as in `speed_ratios`.
     slip_drives : bool
-        True if slipping shift elements can produce power. Only searches for a state in which they
-        take power set this field.
+        True if slipping shift elements are allowed to produce power. Only searches set this field,
+        on the way to a state in which slipping shift elements absorb power.
 
     Examples
     --------

@@ -174,6 +174,7 @@ def _searched(laws: Laws, boxes: _Boxes, known: Floats) -> Iterator[tuple[AllFix
             break
         boxes, candidates = _narrowed(laws, boxes, known)
         near.append(candidates)
+        # Boxes that are entirely close to a known fixed point contain no separate fixed point.
         far = np.abs(boxes.middle - known[:, boxes.point]).max(axis=0) + boxes.width
         boxes = boxes.of(~(far < SAME_CLUSTER))
         small = boxes.width < LEAST_BOX_WIDTH

@@ -84,6 +84,7 @@ class Rows:
         """Write the values of all rows for a variant."""
         holds = self.holds
         for row, value in enumerate(values):
+            # Identity is a fast test; `holds` itself stands for a missing constant.
             if not (holds.get(row, holds) is value or self._holds(row, value)):
                 self.vary(row)[variant] = value
 

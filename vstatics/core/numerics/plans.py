@@ -9,8 +9,8 @@ of any sign, which can choose another order of pivots.
 
 A plan of fixed sign calculates only magnitudes. It serves variants whose numbers have the same
 signs as in the recorded variant. A plan of any sign takes up to twice as many operations, but
-serves all variants of a structure. It is repeated with decimals of many digits for variants that
-only the rounding of floats excludes.
+serves all variants of a structure. Such a plan is repeated with decimals of many digits for
+variants that only the rounding of floats excludes.
 """
 
 from __future__ import annotations
@@ -204,7 +204,7 @@ class Plans:
             rows.put_variant(variant, self._in_decimals(numbers) or self.function(numbers))
 
     def _in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
-        """Return the results of a variant that only the rounding of floats excludes from plans."""
+        """Return the results of a variant that only the rounding of floats excludes, else None."""
         if self.complete is None:
             return None
         for plan in self.plans:
@@ -229,7 +229,7 @@ Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
 
 
 Completion = Callable[[Sequence[float], list[float]], None]
-"""Function of the inputs of a variant that changes its results in place."""
+"""Function that changes the results of a variant in place; its first argument are the inputs."""
 
 
 class Range(NamedTuple):

@@ -60,12 +60,12 @@ FUNCTIONS: Mapping[str, tuple[Operator, Operator]] = {
 }
 """Functions on arrays and on single numbers, for operations of a tape.
 
-The numbers of plans of any sign are decimals.
+In plans of any sign, the single numbers are decimals.
 """
 
 
 def _otherwise(number: float | None, other: float) -> float:
-    """Return the second number of a choice if the first is not chosen."""
+    """Return the first number of a choice, or the second if the first is None."""
     return other if number is None else number
 
 
@@ -103,7 +103,7 @@ class Step(NamedTuple):
 
 
 PlainStep = tuple[Operator, int, int, int | None]
-"""Operation on a number: function, cells of two operands, cell of the result (None for a guard).
+"""Operation on single numbers: function, cells of two operands and of the result (None: a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
 """

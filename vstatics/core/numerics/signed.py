@@ -184,7 +184,7 @@ Condition = bool | Truth
 
 
 def renamed(comparison: Condition, name: str) -> Condition:
-    """Return a comparison whose guard does not apply to decimals, or applies with another limit.
+    """Return a comparison under another name, whose guard is waived or relaxed for decimals.
 
     >>> renamed(1.0 < 2.0, "apart")
     True

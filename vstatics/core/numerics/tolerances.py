@@ -81,15 +81,15 @@ LEAST_INPUT = 1e-20
 DECIMAL_DIGITS = 120
 """Digits of decimals for variants for which floats are too inaccurate.
 
-Results keep three quarters of them, so that numbers halfway between two floats are found exactly.
+Results keep three quarters of these digits, so that a number halfway between two floats is exact.
 """
 DECIMAL_LEAST = 16
-"""Quotient of the smallest differences for which a plan is valid with floats and with decimals.
+"""Factor by which the smallest valid difference in a plan is larger with floats than with decimals.
 
 With decimals a sum loses seven digits at most.
 """
 DECIMAL_ZERO = 1e-32
-"""Magnitude below which a result calculated with decimals counts as rounding."""
+"""Magnitude below which a result calculated with decimals counts as 0."""
 SURE_BOUNDS = 1e-9
 """Relative margin by which bounds must differ to decide a comparison in spite of rounding."""
 SURE_MAGNITUDES = 1 + 1e-9

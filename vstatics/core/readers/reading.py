@@ -113,9 +113,9 @@ def finish(
     except CaseError as error:
         problems += [locate(problem) for problem in error.problems if is_certain(problem.path)]
     else:
-        # A warning about the whole case can compare any of its values.
-        found = doubtful_mechanisms(case) if hidden else doubts(case)
-        problems += [locate(problem) for problem in found if is_certain(problem.path)]
+        # A warning about the whole case can compare any of the values, including stand-ins.
+        of_case = doubtful_mechanisms(case) if hidden else doubts(case)
+        problems += [locate(problem) for problem in of_case if is_certain(problem.path)]
     problems.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
     errors = [problem for problem in problems if problem.severity == "error"]
     doubtful = [problem for problem in problems if problem.severity != "error"]

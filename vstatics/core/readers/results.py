@@ -45,7 +45,7 @@ OTHERS = {
 """Keys of JSON documents that are not results, with descriptions of the documents."""
 _SORTED = (
     "has sorted keys, so the names in its case no longer have the order of its tables; write it "
-    "with `vstatics run` again, and keep programs that format JSON from sorting it"
+    "with `vstatics run` again, and keep programs that format JSON from sorting keys"
 )
 NAMED_FILE = re.compile(r"==> (.+) <==$")
 """Pattern of the line with the file name above each of several listings."""

@@ -343,7 +343,7 @@ def _loose_ends(case: Transmission, gear: Gear) -> str:
     connected = {link for links in components for link in links}
     ends = (("input", case.gear_input(gear)), ("output", case.gear_output(gear)))
     loose = [
-        f"the {end}, link {case.link_name(link)}" for end, link in ends if link not in connected
+        f"the {end} (link {case.link_name(link)})" for end, link in ends if link not in connected
     ]
     return f"no component is connected to {spoken(loose)}" if loose else ""
 

@@ -361,18 +361,19 @@ def _plans_of(
         return Plans(calculate)
     row = sum(widths[name] for name in names[: names.index("exact")])
 
-    def mark(numbers: Sequence[float], results: list[float]) -> None:
+    def mark_exact(numbers: Sequence[float], results: list[float]) -> None:
         varied = iter(numbers)
         ratios = [next(varied) if number is None else number for number in fixed[:count]]
         results[row] = is_nearly_one(case, ratios)
 
-    return Plans(calculate, mark)
+    return Plans(calculate, mark_exact)
 
 
 def _is_without_numbers(case: Transmission, gear: Gear) -> bool:
     """Return whether ratios and efficiencies are the only numbers of a gear.
 
-    Other numbers count as the decimals as written in fractions, but as floats in plans.
+    Calculations with fractions take other numbers as the decimals that were written, but plans
+    take them as floats.
     """
     given = gear.speeds, gear.torques, gear.slip, gear.speed_ratios, case.springs
     drag = *gear.drag.values(), *gear.open_drag.values(), *gear.loss_torques.values()

@@ -69,7 +69,7 @@ def plain_names(text: str) -> str:
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
     """Return a hint with the most similar quantity or other name; empty if no name is similar.
 
-    Deck names, in upper case, are only suggested for names with such letters.
+    Deck names, which are in upper case, are only suggested for names with upper-case letters.
 
     >>> nearest_quantity("slips")
     '; did you mean `slip_speeds`?'

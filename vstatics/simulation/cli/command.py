@@ -119,7 +119,7 @@ def simulate_command(asked: SimulateOptions) -> int:
 
 
 def _read(asked: SimulateOptions, output: str | None) -> ScenarioFile:
-    from vstatics.simulation.cli.documents import read_with_case  # slow, not needed for --help
+    from vstatics.simulation.cli.documents import read_with_case  # slow import, not for --help
 
     text = files.read_input(asked.scenario)
     try:

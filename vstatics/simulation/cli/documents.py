@@ -100,10 +100,11 @@ def read_swept_document(
     of_case = Document(*case_of(read_scenario(data, name), case))
     subject = VariedScenario(Document(data, name), of_case, case_format=case_format)
     try:
-        own = subject.own
+        scenario_file = subject.own
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
-    problems = [*own.reading.warnings, *own.allowing(telling.allow).doubts]
+    doubts = scenario_file.allowing(telling.allow).doubts
+    problems = [*scenario_file.reading.warnings, *doubts]
     show_problems(problems, telling, subject.case.file)
     return subject, problems
 

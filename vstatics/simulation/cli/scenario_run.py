@@ -94,7 +94,7 @@ def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Resu
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
     """Yield the messages of a scenario and its run, and the reason for an early stop, with places.
 
-    A note of the scenario that the run repeats is not repeated.
+    A note of the scenario is omitted if the run gives the same note.
     """
     repeated = {message.id for message in motion.messages}
     yield from (doubt for doubt in read.doubts if doubt.id not in repeated)

@@ -409,7 +409,7 @@ class Margins:
         for place, corner, side in self.ratios:
             pump, turbine = (rates[first + place] for first in (layout.pumps, layout.turbines))
             size = np.maximum(np.hypot(pump, turbine), NOT_ZERO)
-            # At a pump at rest the speed ratio jumps, but the torques and this margin are 0.
+            # While the pump is at rest, the speed ratio jumps, but torques and margin are 0.
             parts.append((side * pump / size * (turbine - corner * pump))[None, :])
         if self.shared:
             parts.append(self._together(slack, held)[None, :])

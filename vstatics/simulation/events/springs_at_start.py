@@ -55,8 +55,8 @@ def with_viscous_damping(
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
     """Return the lowest natural frequency while shift elements without slip stick [rad/s], or 0.
 
-    The frequency belongs to the gear. Drag, loads and dry friction of springs therefore hold
-    nothing, although they stick at rest.
+    The frequency belongs to the engaged gear. Drag, loads and dry friction of springs therefore do
+    not hold any link here, although they stick at rest.
     """
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]

@@ -351,8 +351,8 @@ def _check_name(
             message += ": that of the link itself" if name in ("speed", "angle") else ""
             raise source.error(message, part.at)
         return
-    own = [*words.numbers, *words.values][:MOST_NAMED]
-    expected = f"expected a formula of {spoken([*names, *own])}"
+    of_scenario = [*words.numbers, *words.values][:MOST_NAMED]
+    expected = f"expected a formula of {spoken([*names, *of_scenario])}"
     word = "speed" if name == SHORT_SPEED else name
     rows = words.rows.get(word, ())
     if rows:

@@ -93,7 +93,7 @@ class Sliding:
                 if self.slopes is None and slow.any() and not self.slow.any():
                     self._slow_down(slow, known)
                     return self.at(times, states, rates)
-                # Links that stick to each other move at no share, so the mean of both sides acts.
+                # No share moves links that stick to each other, so the mean of both sides acts.
                 # Where a jump vanishes, its share grows beyond 1, which ends the slide.
                 shares_of, places = np.nonzero(flat)
                 slopes[shares_of, shares_of, places] = 1.0

@@ -131,7 +131,7 @@ class ValueChanges:
             if not inward.any():
                 return
             self.held[inward] = 0  # releasing a state can change the rates of others
-            values[: len(sides)][inward] = inside[inward]  # else it never leaves its limit
+            values[: len(sides)][inward] = inside[inward]  # so that states leave their limits
 
     def _turns(self, index: int, time: float, state: Floats) -> bool:
         """Return whether rates on both sides lead back to a turning point, now and soon after."""

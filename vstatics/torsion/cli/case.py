@@ -14,7 +14,7 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.cli.shared.values import FILE, torque, value, wrong_value
 from vstatics.core.errors import Problem, listed
-from vstatics.core.model.checks import still_in_vibration
+from vstatics.core.model.checks import notes_on_vibration
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
 
@@ -181,7 +181,7 @@ def gears_answer(
     return CaseAnswer(
         grids,
         answer,
-        [*faults, *problems, *map(reading.locate, still_in_vibration(reading.case))],
+        [*faults, *problems, *map(reading.locate, notes_on_vibration(reading.case))],
         failed=bool(faults),
     )
 

@@ -136,8 +136,8 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
-            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`, or, for "
-            "simulation and vibration, remove `vehicle` in a second case"
+            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`, or write a "
+            "second case without `vehicle` for simulation and vibration"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
 

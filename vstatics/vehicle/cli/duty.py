@@ -88,9 +88,8 @@ def drawn_duty(asked: PictureFiles) -> DutyTable:
     from vstatics.vehicle.duty_file import read_duty_table
 
     if suffix_of(asked.duty) != ".csv":
-        raise ValueError(
-            "a picture of a load spectrum: expected a duty cycle as a CSV of points, --duty FILE"
-        )
+        message = "expected a duty cycle as a CSV of points, such as --duty points.csv"
+        raise ValueError(f"a picture of a load spectrum: {message}")
     classes = asked.classes
     if not isinstance(classes, str):
         classes = (

@@ -54,9 +54,9 @@ from vstatics.vehicle.tolerances import (
 )
 
 ENLARGEMENT = 16
-"""Factor by which a trial wheel force is enlarged, to bracket the force that opens a clutch. [-]"""
+"""Factor by which a trial wheel force is enlarged, to bracket `least_forces`. [-]"""
 MOST_ENLARGEMENTS = 8
-"""Largest number of such enlargements."""
+"""Largest number of enlargements of a trial wheel force."""
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
@@ -383,7 +383,8 @@ class CycleSteps(NamedTuple):
         """Return the steps with `least_forces`, at which freewheels and slipping clutches open.
 
         Where the wheels ask for less force, a freewheel of `opening` would overrun, or a slipping
-        clutch would give power. It therefore carries no torque, and brakes absorb the difference.
+        clutch would produce power. This shift element therefore carries no torque, and brakes
+        absorb the difference.
         """
         slipping = [gear.slipping for gear in self.case.gears]
         opening = [self.opening.get(index, ()) for index in range(len(self.case.gears))]
@@ -399,7 +400,7 @@ class CycleSteps(NamedTuple):
         case = case.replace(gears=[gear._replace(slip_drives=True) for gear in case.gears])
 
         def excess(part: Integers, forces: Floats) -> Floats:
-            """Return the largest wrong torque [N*m] or power [kW]; below 0 if none is wrong."""
+            """Return the largest torque [N*m] or power [kW] with a wrong sign, else 0 or less."""
             here, gears = np.arange(len(part)), self.gears[rows[part]]
             speeds, torques = self._load_of_wheels(rows[part], forces)
             vary = {"load.speed": speeds, "load.torque": torques}

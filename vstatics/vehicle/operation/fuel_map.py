@@ -14,6 +14,7 @@ from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.vehicle.tolerances import SAME_SPEED
 
 _RATES = {"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0}
+"""Units of fuel consumption, with factors to g/s."""
 COLUMNS = (
     *SHAFT_COLUMNS,
     TableColumn(

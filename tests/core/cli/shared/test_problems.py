@@ -75,7 +75,7 @@ def test_what_a_command_allows_is_not_part_of_the_case() -> None:
 
 @pytest.mark.parametrize("command", ["check", "run", "flow", "sweep"])
 def test_an_allowed_warning_is_also_suppressed_beside_an_error(command: str) -> None:
-    """A misspelled key is an error; a basic ratio of 2.5 is one of no simple planetary set."""
+    """A misspelled key is an error; no simple planetary gear set has a basic ratio of 2.5."""
     wrong = Path("doubtful.yaml").read_text("utf-8") + "nmae: box\n"
     call = [command, "-", *["--vary", "D.efficiency=.9"][: 2 * (command == "sweep")]]
     for text, options in ((wrong, ["--allow", "w201"]), (f"{wrong}allow: [W201]\n", [])):

@@ -148,7 +148,7 @@ def test_a_field_that_looks_like_a_result_ends_the_deck() -> None:
 def test_words_of_yaml_lead_users_of_decks_to_their_own_words() -> None:
     reading = deck.read(NO_FAULT.encode(), "no-fault.dat")
     moved = reading.locate(Problem("E514", "expected `inertias` of links", ("inertias",)))
-    assert moved.message.endswith("; a deck cannot hold `inertias`, so convert it to YAML")
+    assert moved.message.endswith("; a deck cannot contain `inertias`: convert the deck to YAML")
     with pytest.raises(ReadError, match=r"read '-78/36', .*; write the quotient as `-78:36`"):
         deck.read(NO_FAULT.replace("-2.5 2.6", "-78/36 2.6").encode(), "quotient.dat")
 

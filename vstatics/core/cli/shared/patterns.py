@@ -35,6 +35,7 @@ def expanded(names: Iterable[str]) -> list[str]:
     by_pattern = set[str]()
     for name in names:
         if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
+            # Absolute paths are only needed after a pattern. A deleted folder does not have any.
             is_new = not by_pattern or os.path.abspath(name) not in by_pattern  # noqa: PTH100
             expansion += [name] * is_new
             continue

@@ -28,7 +28,7 @@ INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
 _RELATED = r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)"
 _QUOTIENT = re.compile(r"[-+.\d]+/[.\d]+")
-"""Quotient as in YAML, for which a deck has a colon."""
+"""Pattern of a quotient as written in YAML. In a deck, a quotient has a colon."""
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
 """Maximum number of characters of a number. More characters add no information."""

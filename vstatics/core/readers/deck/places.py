@@ -64,7 +64,7 @@ class Places:
                 for key, word in IN_DECK.items():
                     message = message.replace(key, word)
                 if (part := problem.path[0]) not in WHOLE:
-                    message += f"; a deck cannot hold `{part}`, so convert it to YAML"
+                    message += f"; a deck cannot contain `{part}`: convert the deck to YAML"
                 return problem._replace(message=f"{label}: {message}", place=place)
         return problem
 

@@ -66,7 +66,7 @@ class Scan:
         self.source = source
         self.last = last
         self.result = 0
-        """Number of the line where results begin, which end the deck; 0 without results."""
+        """Number of the line at which results begin and the deck ends; 0 without results."""
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
         """Numbers of lines with a field or a name, where the values of the previous field end."""

@@ -33,10 +33,10 @@ ON_ARRAYS: Mapping[str, np.ufunc] = {
     "log": np.log,
     "atan": np.arctan,
 }
-"""Functions of numbers in all formulas; only `min` and `max` have several arguments."""
+"""Functions of numbers in all formulas, by name; only `min` and `max` have several arguments."""
 FUNCTIONS = tuple(ON_ARRAYS)
 TABLE_FUNCTIONS = (*FUNCTIONS, "sum")
-"""Functions in formulas of tables."""
+"""Names of functions in formulas over tables of results."""
 REDUCTIONS = ("min", "max", "sum")
 """Functions that reduce a single operand to a number over all gears and rows."""
 LAST = "last"

@@ -81,7 +81,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
             expected = _advice(key.text, known, has_value=not is_null(value)) or expected
             spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, UNKNOWN_KEY)
             meant.update((name, value) for name in known if f"`{name}`" in hint)
-            if not hint:  # its value can be the cause of a lack in this mapping
+            if not hint:  # the key can hold a value that this mapping then seems to lack
                 spots.unreadable.append((*spot.path, key.text))
         elif known[key.text].required or not is_null(value):
             given[key.text] = value

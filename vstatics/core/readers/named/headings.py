@@ -192,7 +192,7 @@ class HeadingLine(NamedTuple):
 
     number: int
     last: int
-    """Number of the row of units below the headings; without it, the same as `number`."""
+    """Number of the row of units below the headings; without such a row, the same as `number`."""
     separator: str
     headings: Sequence[Heading]
     width: int
@@ -272,7 +272,8 @@ def read_headings(
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
     """Yield the lines of a table, with empty lines for titles.
 
-    If no cell is a heading, the headings are above the numbers and above a row of units.
+    If no cell is a known heading, the headings are the line above the numbers. If that line can be
+    a row of units, the headings are the line above it.
 
     Examples
     --------
@@ -442,8 +443,9 @@ def _fault_of_units(headings: Sequence[Heading]) -> CellError | None:
 def with_units_below(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:
     """Return headings with the units of the row below; empty if that is not a row of units.
 
-    A row of units contains a unit of a column or of time, and no numbers. If a heading lacks its
-    unit, other words are units, too. Units in a comment have to fit their columns.
+    A row of units contains no numbers, and at least one unit of its column or of time. If a heading
+    lacks its unit, a row of other words is also read as units. All units in a comment must fit
+    their columns.
 
     Raises
     ------
@@ -488,7 +490,7 @@ def with_units_below(headings: Sequence[Heading], row: Sequence[str]) -> list[He
 
 
 def _column(line: str, separator: str, place: int) -> int:
-    """Return the column of a cell, from 1; the end of the line for a cell behind it."""
+    """Return the column of a cell, from 1; the end of the line for a cell that does not exist."""
     columns = [column for _, column in placed_cells(line, separator)]
     return columns[place] if place < len(columns) else len(line) + 1
 

@@ -35,7 +35,7 @@ _LOSSES = {"W": 1.0, "kW": 1000.0, **dict.fromkeys(("N*m", "Nm", "N m", "N\u00b7
 _LOSS_NAMES = ("power loss", "torque loss", "loss torque", "losses", "p loss")
 _DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
 _SLIP_NAMES = ("slip", "slip speed")
-"""Names of the speed of a shift element."""
+"""Headings of the slip speed of a shift element."""
 _COLUMNS = {
     "": (
         SHAFT_COLUMNS[0]._replace(

@@ -159,7 +159,7 @@ class References:
         raise UnknownNameError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:
-        """Return a hint with a missing comma or the nearest name, or a short list of all names."""
+        """Return a hint to a missing comma or to the nearest name, or a short list of all names."""
         several = text.split()
         if len(several) > 1 and all(name in names for name in several):
             return f"; write a comma between the names: `{', '.join(several)}`"

@@ -30,7 +30,7 @@ MARKS = {
     **dict.fromkeys(["-", "\u2013", "\u2014", "\u2212"], False),
     **dict.fromkeys(["false", "no", "нет", "·"], False),
 }
-"""Marks in a shift table, also of the tables of `vstatics run`: True if engaged."""
+"""Marks in a shift table, including those that `vstatics run` prints: True if engaged."""
 LONGEST_NUMBER = 9
 """Maximum number of digits of an item number."""
 

@@ -276,7 +276,7 @@ class _Search:
         self, case: Transmission, columns: Columns, laws: LawsOf, results: Results
     ) -> None:
         self.strict, self.columns, self.laws = case, columns, laws
-        # Torques near the limit at which a clutch begins to give power are then continuous.
+        # While slipping clutches are allowed to produce power, torques are continuous functions.
         gears = [gear._replace(slip_drives=bool(gear.slip)) for gear in case.gears]
         self.case = case.replace(gears=gears)
         self.variants = len(results.speeds)
@@ -375,8 +375,8 @@ class _Search:
         laws = self._laws_of(self.strict, gear, numbers, best)
         fixed, exist = self._in_range(numbers, laws, fixed)
         solutions = np.bincount(fixed.point, exist, self.variants)
-        found = np.isin(np.arange(self.variants), fixed.point)
-        state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(found, 0, NONE))
+        is_solved = np.isin(np.arange(self.variants), fixed.point)
+        state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(is_solved, 0, NONE))
         for n, efficiencies in zip(numbers, fixed.efficiencies, strict=True):
             best[n] = best[n].copy()
             best[n][fixed.point] = efficiencies
@@ -384,10 +384,10 @@ class _Search:
     def _in_range(
         self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
     ) -> tuple[AllFixedPoints, Booleans]:
-        """Remove solutions that are not valid where a point has other solutions.
+        """Remove invalid solutions of points that also have valid solutions.
 
-        In these, the value of a formula is limited, or there are no torques because a slipping
-        shift element would produce power. Also return flags of the solutions with torques.
+        In an invalid solution, the value of a formula is limited, or torques do not exist because a
+        slipping shift element would produce power. Also return flags of the solutions with torques.
         """
         valid = np.ones(len(fixed.point), np.bool_)
         slips = bool(self.case.gears[numbers[0].gear or 0].slip)
