@@ -388,13 +388,13 @@ def test_an_unknown_torque_leaves_the_life_unknown() -> None:
     keys += "fatigue: {tooth: {on: P1.sun, torque_of: A, torque: 9, cycles: 1e6, exponent: 6}}"
     rows = Rows(seeded(76))
     rows.times /= 2 * rows.turns("P1.sun").max()
-    found = spectrum(loads(text % keys), rows.points())
-    assert found.life is not None
-    assert math.isnan(found.life["tooth"].damage)
-    assert found.bearings is not None
-    assert found.bearings["still"].damage == 0
-    assert math.isnan(found.bearings["b"].damage)
-    assert found.bearings["b"].hours is None
+    results = spectrum(loads(text % keys), rows.points())
+    assert results.life is not None
+    assert math.isnan(results.life["tooth"].damage)
+    assert results.bearings is not None
+    assert results.bearings["still"].damage == 0
+    assert math.isnan(results.bearings["b"].damage)
+    assert results.bearings["b"].hours is None
 
 
 def test_a_cycle_that_never_moves_is_an_error() -> None:

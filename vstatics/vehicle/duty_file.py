@@ -145,8 +145,8 @@ def _instants(table: UnitTable) -> Iterator[Message]:
         yield Message(
             "W893",
             "`time` starts at 0 and rises in each row, as in a record, but is read as the duration "
-            "of each row; for a record with equal time steps, replace `time` with `share`, 1 in "
-            "each row",
+            "of each row; for a record with equal time steps, replace `time` with a column `share` "
+            "that is 1 in each row",
         )
 
 

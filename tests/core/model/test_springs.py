@@ -26,8 +26,8 @@ def test_a_half_shaft_to_a_link_without_inertia_never_twists() -> None:
     """A link with an inertia of 0 is deliberate."""
     shaft = Spring(between(2, 3), stiffness=9e3, name="shaft")
     case = Transmission(3, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], springs=[shaft], output=2)
-    for given, told in (({}, ["N207"]), ({3: 0.0}, [])):
-        assert [note.id for note in hints(case.replace(inertias={1: 0.2, **given}))] == told
+    for given, ids in (({}, ["N207"]), ({3: 0.0}, [])):
+        assert [note.id for note in hints(case.replace(inertias={1: 0.2, **given}))] == ids
 
 
 def test_the_housing_has_no_part_in_a_twist() -> None:

@@ -75,7 +75,7 @@ def test_a_device_that_there_is_not() -> None:
         "elements: {P: {kind: planetary, sun: 1, ring: 2, carrier: 3, teeth: {sun: 30, ring: 78}}}"
     )
     strength = "{diameter: 20 mm, endurance: 200 MPa, exponent: 6, cycles: 1e6}"
-    with pytest.raises(ReadError, match="a member of a gear set, so give `torque` instead of"):
+    with pytest.raises(ReadError, match="a member of a gear set needs `torque` instead of"):
         loads(f"links: 3\n{set_}\ngears: {{1: []}}\nfatigue: {{P.sun: {strength}}}\n")
     spring = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=1.0)])
     assert [*spring.replace(fatigue={"S1": SHAFT}).fatigue] == ["S1"]

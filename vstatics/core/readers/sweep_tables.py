@@ -111,7 +111,10 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
         raise _no_sweep(file, error) from None
 
 
-_SEVERAL = "has several values, expected one object per row, as `to_json(orient='records')` writes"
+_SEVERAL = (
+    "has several values, expected one object per row; pandas writes rows with "
+    "`to_json(orient='records')`"
+)
 
 
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:

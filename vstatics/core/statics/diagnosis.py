@@ -345,7 +345,7 @@ def _loose_ends(case: Transmission, gear: Gear) -> str:
     loose = [
         f"the {end} (link {case.link_name(link)})" for end, link in ends if link not in connected
     ]
-    return f"no component is connected to {spoken(loose)}" if loose else ""
+    return f"no component is connected to {spoken(loose, 'or')}" if loose else ""
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:

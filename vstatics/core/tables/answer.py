@@ -68,7 +68,7 @@ Failure = Annotated[str, FAILURE]
 """Type of an error message.
 
 If the message is not empty, a record consists of its first key, the message, and empty lists and
-mappings, so that programs can iterate over them.
+mappings. Programs can therefore iterate over the lists and mappings of every record.
 """
 Unfailed = Annotated[T | None, UNFAILED]
 """Type of a key whose value is null only in records with a `Failure`."""

@@ -43,7 +43,7 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
         if name not in names:
             hint = nearest(name, names) or f"; components are {listed(names, 12) or 'none'}"
             if name in Members.of(case).of_sets:
-                hint = ": it is a member of a gear set, so give `torque` instead of `endurance`"
+                hint = "; a member of a gear set needs `torque` instead of `endurance`"
             yield Problem("E880", f"there is no component {quoted(name)}{hint}", path)
         if (fatigue.diameter is None) == (fatigue.section_modulus is None):
             read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
