@@ -229,7 +229,7 @@ Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
 
 
 Completion = Callable[[Sequence[float], list[float]], None]
-"""Function that changes the results of a variant in place; its first argument are the inputs."""
+"""Function that changes the results of a variant in place; the first argument has the inputs."""
 
 
 class Range(NamedTuple):

@@ -37,7 +37,7 @@ _FURTHER = re.compile(
 )
 """Power of a number, pi or a root, which formulas can contain but calculations cannot."""
 _FUNCTION = re.compile(r"(?<![\w)])([^\W\d_]\w{1,19}) ?\([-+\d.]")
-"""Call of a function, whose first argument begins with a number."""
+"""Pattern of the call of a function whose first argument begins with a number."""
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
