@@ -18,6 +18,7 @@ from tests.core.statics.test_status import FAULTY
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import Load, SpeedOf
+from vstatics.core.model.springs import Spring, between
 from vstatics.core.readers import loads
 from vstatics.core.statics.diagnosis import is_uncertain, regular_gears, undriven_gears
 from vstatics.core.statics.results import Results
@@ -205,8 +206,16 @@ def test_speeds_and_torques_of_a_pair_check_one_another() -> None:
 
 
 def test_an_output_that_no_component_joins_is_the_cause_of_a_gear_that_cannot_drive() -> None:
-    """Link 4 is the output by default, as the last link, but the planetary set ends at link 3."""
-    results = solve(train([(2, 0)], Gear([1]), links=4, output=4))
+    """Link 4 is the output by default, as the last link, but the planetary set ends at link 3.
+
+    An output behind a shaft is connected to it.
+    """
+    case = train([(2, 0)], Gear([1]), links=4, output=4)
+    results = solve(case)
     [problem] = undriven_gears(results)
     assert problem.message == "cannot drive: no component is connected to the output (link 4)"
     assert "warning: neutral: no component is connected to the output (link 4)" in texts(results)
+    [behind] = undriven_gears(
+        solve(case.replace(springs=[Spring(between(4, 3), 9e3)], gears=[Gear()]))
+    )
+    assert "expected another engaged shift element" in behind.message

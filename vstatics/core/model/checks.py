@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
 
 from vstatics.core.annexes import KEYS, module_of_key, not_installed
 from vstatics.core.errors import CaseError, Path, Problem, spoken
@@ -23,7 +21,6 @@ from vstatics.core.model.part_checks import (
     sets_side_by_side,
 )
 from vstatics.core.model.parts import (
-    HOUSING,
     Law,
     Mechanism,
     OfLoad,
@@ -221,18 +218,10 @@ def notes_on_vibration(case: TransmissionFields) -> Iterator[Problem]:
     inertia of 0 causes no note either, because it is deliberate.
     """
     yield from left_out(case)
-    joined = Counter(
-        chain(
-            *(element.links for element in case.shift_elements),
-            *(mechanism.links for mechanism in case.mechanisms),
-            *(converter.links for converter in case.converters),
-            *(dict(spring.twist) for spring in case.springs),
-        )
-    )
-    known = {HOUSING, case.input, *case.heavy}
+    connections, known = case.connections, {case.input, *case.heavy}
     for number, spring in enumerate(case.springs, 1):
-        for link in dict(spring.twist):
-            if joined[link] == 1 and link not in known:
+        for link in spring.form:
+            if connections[link] == 1 and link not in known:
                 yield Problem(
                     "N207",
                     f"nothing else acts on link {case.link_name(link)}, which has no inertia, so "

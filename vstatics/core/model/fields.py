@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeVar, runtime_checkable
 
 from vstatics.core.errors import Problem, listed, typed_number
@@ -158,6 +160,18 @@ class TransmissionFields:
     def heavy(self) -> dict[int, float]:
         """Inertia of each rotating link [kg*m^2], mass of each link that moves straight [kg]."""
         return {**self.inertias, **self.masses}
+
+    @property
+    def connections(self) -> Counter[int]:
+        """Number of components that are connected to each link, or to the housing."""
+        return Counter(
+            chain(
+                *(element.links for element in self.shift_elements),
+                *(mechanism.links for mechanism in self.mechanisms),
+                *(converter.links for converter in self.converters),
+                *(spring.form for spring in self.springs),
+            )
+        )
 
     def is_straight(self, spring: Spring) -> bool:
         """Return whether a spring acts along a straight line, with a stiffness in N/m."""

@@ -334,16 +334,10 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 def _loose_ends(case: Transmission, gear: Gear) -> str:
     """Return a clause about an input or output to which nothing is connected; empty otherwise."""
-    components = (
-        *(mechanism.links for mechanism in case.mechanisms),
-        *(element.links for element in case.shift_elements),
-        *(converter.links for converter in case.converters),
-        *(spring.twist for spring in case.springs),
-    )
-    connected = {link for links in components for link in links}
     ends = (("input", case.gear_input(gear)), ("output", case.gear_output(gear)))
+    connected = case.connections
     loose = [
-        f"the {end} (link {case.link_name(link)})" for end, link in ends if link not in connected
+        f"the {end} (link {case.link_name(link)})" for end, link in ends if not connected[link]
     ]
     return f"no component is connected to {spoken(loose, 'or')}" if loose else ""
 

@@ -15,7 +15,7 @@ from vstatics.core.errors import listed, quoted, spoken
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.expressions.evaluation import FUNCTIONS
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS, expect_operands
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
@@ -328,8 +328,8 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
                 f"{name} of {count} values, expected {many[wanted]}, as in its table",
                 part.at,
             )
-    elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
-        raise source.error(f"{name} of {count} values, expected one, as in {name}(t)", part.at)
+    else:
+        expect_operands(part, source, "t")
 
 
 def _check_name(

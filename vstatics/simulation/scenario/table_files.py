@@ -13,6 +13,7 @@ from vstatics.core.readers.named.headings import (
     Heading,
     TableColumn,
     is_comment,
+    is_row_of_numbers,
     with_unit,
     with_units_below,
     without_titles,
@@ -34,7 +35,12 @@ def table_of(scenario: str, name: str) -> LookupTable:
         If the content is not a table; the message says what was expected.
     """
     lines = lines_of(Path(scenario).parent / name, MOST_TABLE_BYTES)
-    return _table(list(numbered_rows(without_titles(lines, lambda cell: bool(with_unit(cell)[1])))))
+    return _table(list(numbered_rows(without_titles(lines, _has_unit))))
+
+
+def _has_unit(cell: str) -> bool:
+    """Return whether a cell has a unit, unlike a number with a decimal comma."""
+    return bool(with_unit(cell)[1]) and not is_row_of_numbers(cell)
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
@@ -78,7 +84,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     units = [heading.unit or "" for heading in headings]
     if len(heads) < 2 or not units[0]:
         raise ValueError("expected a CSV file with a head such as `speed [rpm],0.2,0.5,1`")
-    columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
+    columns = tuple(_number(head, rows[0][0]) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
     for line, row in below:
         if is_comment(row[0]):

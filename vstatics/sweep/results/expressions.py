@@ -27,8 +27,8 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.expressions.evaluation import (
     LAST,
     REDUCTIONS,
-    TABLE_FUNCTIONS,
     evaluate,
+    expect_operands,
 )
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Tree, parse
@@ -217,9 +217,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
     if not isinstance(tree, Applied):
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]
-    if name in (*TABLE_FUNCTIONS, LAST) and name not in ("min", "max") and len(operands) > 1:
-        message = f"{name} of {len(operands)} values, expected one, as in {name}(losses)"
-        raise names.source.error(message, tree.at)
+    expect_operands(tree, names.source, "losses")
     node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
     if name == LAST:
         return ResolvedPart(node, per_gear=False, table=operands[0].table)

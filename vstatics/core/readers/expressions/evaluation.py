@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.readers.expressions.operands import Constant
 
@@ -41,6 +42,20 @@ REDUCTIONS = ("min", "max", "sum")
 """Functions that reduce a single operand to a number over all gears and rows."""
 LAST = "last"
 """Function that returns the final value of a quantity over time, only for scenario runs."""
+
+
+def expect_operands(part: Applied, source: Excerpt, example: str) -> None:
+    """Check that only functions with several arguments have several operands.
+
+    Raises
+    ------
+    ReadError
+        If a function of a single number has several operands. The message contains the example.
+    """
+    count, name = len(part.operands), part.name
+    if count > 1 and name in (*TABLE_FUNCTIONS, LAST) and name not in ("min", "max"):
+        message = f"{name} of {count} values, expected one, as in {name}({example})"
+        raise source.error(message, part.at)
 
 
 def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:

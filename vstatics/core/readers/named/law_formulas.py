@@ -13,7 +13,7 @@ import numpy as np
 from vstatics.core.errors import ReadError, quoted
 from vstatics.core.model.parts import Law, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.core.readers.expressions.evaluation import FUNCTIONS, evaluate
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS, evaluate, expect_operands
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import DottedName, TableName
@@ -36,7 +36,7 @@ class _LawFormula(Law):
 
     def __new__(cls, text: str) -> Self:
         tree = _tree(text, tuple(cls.quantities))
-        of = {cls.quantities[name] for name in map(_name, _names(tree)) if name in cls.quantities}
+        of = {cls.quantities[name] for name in map(_name, _parts(tree)) if name in cls.quantities}
         law = super().__new__(cls, cls._at_0(_value(text, cls, dict.fromkeys(of, np.zeros(1)))))
         law.over = "both" if len(of) == 2 else "torque" if of == {"torque"} else "speed"
         law.text = text
@@ -134,12 +134,15 @@ def _value(text: str, law: type[_LawFormula], given: Mapping[str, Floats]) -> Fl
 
 @lru_cache(maxsize=256)
 def _tree(text: str, names: tuple[str, ...]) -> Tree:
-    """Parse a formula, and check all names."""
+    """Parse a formula, and check all names and operands."""
     torque = f", the torque {TORQUE} in N*m" if TORQUE in names else ""
     operands = f"a number, the speed {SPEED} in rad/s{torque}, pi, or one of {', '.join(FUNCTIONS)}"
     excerpt = Excerpt(text, "law")
     tree = parse(excerpt, Language(FUNCTIONS, operands, SPEED, caret=True))
-    for part in _names(tree):
+    for part in _parts(tree):
+        if isinstance(part, Applied):
+            expect_operands(part, excerpt, SPEED)
+            continue
         known = isinstance(part, TableName) and not part.subscripts
         if not known or _name(part) not in (*names, "pi"):
             read = _name(part)
@@ -148,14 +151,17 @@ def _tree(text: str, names: tuple[str, ...]) -> Tree:
     return tree
 
 
-def _name(part: TableName | DottedName) -> str:
-    return part.name if isinstance(part, TableName) else part.written
+_Part = Applied | TableName | DottedName
 
 
-def _names(tree: Tree) -> Iterator[TableName | DottedName]:
-    """Yield all names in a tree."""
+def _name(part: _Part) -> str:
+    return part.written if isinstance(part, DottedName) else part.name
+
+
+def _parts(tree: Tree) -> Iterator[_Part]:
+    """Yield all operators, functions and names in a tree."""
+    if isinstance(tree, _Part):
+        yield tree
     if isinstance(tree, Applied):
         for part in tree.operands:
-            yield from _names(part)
-    elif isinstance(tree, TableName | DottedName):
-        yield tree
+            yield from _parts(part)
