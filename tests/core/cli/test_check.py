@@ -173,13 +173,6 @@ def test_many_engaged_shift_elements_continue_on_a_line_of_their_own() -> None:
     assert " ".join(names) in " ".join(said.split())
 
 
-def test_a_neutral_gear_is_not_part_of_steps_and_spread() -> None:
-    """With the ring held, the Willis equation gives w_in = (1 - ratio)*w_carrier = 3 w_carrier."""
-    made, other = (json_answer("summary", "-", stdin=t.encode()) for t in (MEANT, OPEN_GEAR))
-    assert made["spread"] == other["spread"] == pytest.approx(3)
-    assert [gear["ratio"] for gear in made["gears"]] == [pytest.approx(3), 1, None]
-
-
 def test_a_planet_without_teeth_gets_a_note() -> None:
     """The teeth of two planets in mesh do not follow from sun and ring."""
     case = "links: [a, b, c]\nshift_elements: {B: [b, housing]}\ngears: {1: [B]}\nelements: {P: "
