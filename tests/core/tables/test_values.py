@@ -37,21 +37,6 @@ def test_torques_that_are_given_with_a_unit_are_shown_as_given() -> None:
         assert ring["B"] - 12 == pytest.approx(-ring["P1.ring"])
 
 
-def test_two_of_speed_torque_and_power_give_the_third() -> None:
-    """300 N*m at 3000 rpm are 300 * 100 pi W; with a negative speed the torque is negative."""
-    for load in (
-        "{speed: 3000 rpm, power: 30*pi kW}",
-        "{power: 30*pi kW, torque: 300 Nm}",
-        "{speed: 3000 1/min, torque: 300 N*m}",
-        "{power: 30000*pi W, speed: -100*pi rad/s}",
-    ):
-        found = shown(f"load: {load}".replace("pi", repr(math.pi)) + SET)
-        sign = -1 if "-" in load else 1
-        assert found["speeds_rpm"].values[0] == pytest.approx([sign * 3000] * 2)
-        assert found["torques_Nm"].values[-1] == pytest.approx([sign * 1050, sign * 300])
-        assert found["input_power_kW"].values[0] == pytest.approx([30 * math.pi] * 2)
-
-
 def test_a_load_that_is_none_is_told_once() -> None:
     text = changed("low: {engaged: [B]}", "low: {engaged: [B], torques: {ring: 3 N*m}}")
     for load, words in (
