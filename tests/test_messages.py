@@ -189,14 +189,6 @@ def test_a_warning_is_allowed_by_option_and_by_key(command: str) -> None:
     assert ids("--strict") == []
 
 
-def test_an_allowed_message_is_in_no_document_and_makes_nothing_fail() -> None:
-    allowed = ("--allow", "W201", "--allow", "W414")
-    assert json_answer("run", "box.yaml", *allowed)["messages"] == []
-    assert json_answer("check", "box.yaml", *allowed) == []
-    assert vstatics("run", "box.yaml", "--strict").status == 1
-    assert vstatics("run", "box.yaml", "--strict", *allowed).status == 0
-
-
 def test_conversion_keeps_what_is_allowed() -> None:
     Path("box.yaml").write_text(f"{CASE}allow: [W201]\n", "utf-8")
     for file in ("other.json", "other.yaml"):

@@ -58,19 +58,6 @@ def whole(folder: Path) -> bytes:
     return (folder / "whole.csv").read_bytes()
 
 
-def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
-    path = tmp_path / "out.csv"
-    directory = Path(finished(path).store.directory)
-    for gone in (1, 3):
-        (directory / piece_file.piece_name(gone)).unlink()
-    again = store(path, resume=True)
-    assert (again.finished, list(again.pending)) == (16, [1, 3])
-    assert calculate(again) == [8, 6]
-    assemble(again)
-    assert path.read_bytes() == whole(tmp_path)
-    assert names(tmp_path) == ["out.csv", "whole.csv"]
-
-
 def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_path: Path) -> None:
     """Random pieces are replaced with those of a sweep that differs in one number alone."""
     expected = whole(tmp_path)

@@ -75,12 +75,6 @@ def test_junit_fails_by_warnings_only_with_strict(records: list[dict[str, str]])
             assert all(one["message"] in str(f.text) for one in own for f in case)
 
 
-def test_a_suffix_tells_the_format() -> None:
-    for name, form in (("x.sarif", "sarif"), ("x.xml", "junit")):
-        assert vstatics("check", "bad.yaml", "-o", name).gives_nothing()
-        assert Path(name).read_text("utf-8") == vstatics("check", "bad.yaml", "-f", form).out
-
-
 def test_a_hook_of_pre_commit_checks_cases() -> None:
     [hook] = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
     assert (hook["id"], hook["language"]) == ("vstatics-check", "python")

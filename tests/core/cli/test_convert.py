@@ -4,15 +4,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
 
 import vstatics as library
-from tests.chance import count, some
+from tests.chance import some
 from tests.commands import MZKT, NEUTRAL, SHIPPED, json_file, vstatics
-from tests.strategies import ANY_NUMBER, transmissions
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers import read
-from vstatics.core.writers import deck, named
+from vstatics.core.writers import deck
 
 SUFFIXES = {"deck": ".dat", "yaml": ".yaml", "json": ".json"}
 KEEPS_ALL = ("yaml", "json")
@@ -87,13 +84,3 @@ gears: {R: {}}
 """
     said = vstatics("convert", "-", "-", "--to", "deck", stdin=text.encode())
     assert said.fails("not kept: that gear R is in conflict")
-
-
-@settings(max_examples=count(4, 60))
-@given(transmissions(ANY_NUMBER, follow=False))
-def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
-    assert read(named.write_yaml(case).encode(), "", "yaml").case == case
-    assert read(named.write_json(case).encode(), "", "json").case == case
-    assert read(deck.write(case).encode(), "", "deck").case == kept(case, "deck")
-    texts = ("description", "source")
-    assert deck.lost(case) == [what for what in texts if getattr(case, what) != ""]

@@ -36,15 +36,6 @@ def test_a_load_gives_kilowatts() -> None:
     assert line.split() == ["pair", "1.000", "1.000", "104.720", "0.0500", "5.236", "100.0%"]
 
 
-def test_the_command_shows_one_gear_by_name_or_number() -> None:
-    by_name = vstatics("flow", "-", "--gear", "low", stdin=NEUTRAL.encode())
-    assert by_name.status == 0
-    assert by_name.out.startswith("gear low ")
-    assert vstatics("flow", "-", "--gear", "2", stdin=NEUTRAL.encode()) == by_name
-    wrong = vstatics("flow", "-", "--gear", "lwo", stdin=NEUTRAL.encode())
-    assert wrong.is_wrong_use("no gear 'lwo'; did you mean `low`?")
-
-
 def test_json_has_the_numbers_of_the_library() -> None:
     """The differential has -2.5 and .96, its second link is held: the third gives .9714."""
     [neutral, low] = json_answer("flow", "-", stdin=NEUTRAL.encode())["gears"]

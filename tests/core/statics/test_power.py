@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from tests.core.statics.differential import train
 from tests.shipped import shipped_results
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.model.laws import MapLaw
@@ -36,17 +35,6 @@ def test_powers_of_shipped_cases_close() -> None:
                 assert given == pytest.approx(0, abs=1e-9)
 
 
-def test_drag_takes_power_from_links_and_open_elements() -> None:
-    """A pair of ratio 4: an open clutch slips at 3/4, the output turns at 1/4."""
-    pair = Mechanism(1, 2, 0, 4, 0.95)
-    case = Transmission(2, [ShiftElement(1, 2, drag=0.02)], [pair], [Gear(drag={2: 0.1})])
-    powers = solve(case).gear(1).powers()
-    assert total(powers, "drag") == pytest.approx(0.1 / 4)
-    assert total(powers, "element") == pytest.approx(0.02 * 3 / 4)
-    losses = 0.05 * (1 - 0.02)  # the clutch takes its torque before the pair
-    assert -total(powers, "port") == pytest.approx(losses + 0.1 / 4 + 0.02 * 3 / 4)
-
-
 def test_the_loss_of_a_gear_is_power_that_its_input_gives() -> None:
     """300 W of the 3 kW at 100 rad/s and 30 N*m."""
     loss = MapLaw([0, 50], [[0, 300, 300], [200, 300, 300]], "W")
@@ -64,15 +52,6 @@ def test_each_spring_passes_the_power_of_its_own_torque() -> None:
     powers = [one for one in solve(case).gear(1).powers() if one.kind == "spring"]
     found = [(one.name, one.link, plain(one.power)) for one in powers]
     assert found == [("in", 1, 1), ("in", 2, -1), ("out", 3, 1), ("out", 4, -1)]
-
-
-def test_coasting_turns_the_powers_of_all_devices() -> None:
-    """Ring held: the sun brings in 1 when driving and takes it when coasting."""
-    case = train([(2, 0)], Gear([1]))
-    for coast, entering in ((False, 1.0), (True, -1.0)):
-        powers = solve(case, coast=coast).gear(1).powers(lossy=False)
-        (sun,) = [one for one in powers if (one.kind, one.member) == ("mechanism", "first")]
-        assert sun.power == pytest.approx(entering)
 
 
 def test_nothing_times_what_does_not_exist_is_nothing() -> None:

@@ -117,15 +117,6 @@ def test_states_of_gears_are_named_and_explained() -> None:
     assert "tied up" in shown(TIED_UP, status=1)
 
 
-def test_steps_are_those_of_the_summary() -> None:
-    """From low, 3.5, to direct, whatever the order in the case."""
-    made = json_answer("summary", "-", stdin=STATES.encode())
-    assert [one["step"] for one in made["gears"][:2]] == [pytest.approx(1), pytest.approx(3.5)]
-    found = rows(shown(STATES, status=1))
-    assert found["direct"][2:4] == ["1.000", "1.000"]
-    assert found["low"][2:4] == ["3.500", "3.500"]
-
-
 def test_a_largest_torque_is_given_only_where_all_are_known() -> None:
     """In low the carrier has 1/3.5, the brake 2.5*.97; s has 4/3 of the teeth of the planet."""
     found = rows(shown(STATES, status=1))

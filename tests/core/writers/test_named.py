@@ -2,7 +2,6 @@
 
 import json
 
-import pytest
 import yaml
 from hypothesis import example, given, settings
 
@@ -24,7 +23,6 @@ def differential(**other: object) -> Transmission:
     return Transmission(**{**parts, **other})  # type: ignore[arg-type]
 
 
-@pytest.mark.slow
 @settings(max_examples=count(10, 75))
 @given(transmissions(ANY_NUMBER, torsional=True))
 @example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))

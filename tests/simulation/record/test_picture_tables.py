@@ -28,18 +28,6 @@ def motion(request: pytest.FixtureRequest) -> Motion:
     return motion_of(request.param)
 
 
-def test_heat_and_losses_end_at_the_account(motion: Motion) -> None:
-    for table in ("heat", "losses"):
-        ends = {name: column[-1] for name, column in motion.beside[table].items()}
-        assert ends == pytest.approx(dict(getattr(motion.energy, table)))
-
-
-def test_no_element_carries_more_than_its_capacity(motion: Motion) -> None:
-    for place, name in enumerate(motion.elements):
-        capacity, torque = motion.beside["capacities"][name], motion.torques[:, place]
-        assert (np.abs(torque) <= capacity * (1 + 1e-9) + 1e-9).all(), name
-
-
 def test_what_sticks_has_no_slip_and_what_slips_carries_its_capacity(motion: Motion) -> None:
     small = 1e-6 * np.abs(motion.speeds).max()
     for place, name in enumerate(motion.elements):

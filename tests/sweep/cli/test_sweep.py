@@ -3,7 +3,6 @@
 import csv
 import json
 import re
-import sys
 from pathlib import Path
 
 import openpyxl
@@ -72,9 +71,9 @@ def test_variants_without_a_solution_are_rows_and_are_counted() -> None:
     )
     locked = CASES / "self-locking.yaml"
     name = load(locked).mechanisms[0].name
-    said = vstatics("sweep", locked, "--vary", f"{name}.efficiency=.5,.6")
+    said = vstatics("sweep", locked, "--vary", f"{name}.efficiency=.5,1")
     assert said.status == 0
-    assert "(2 locked)" in said.err
+    assert "(1 locked)" in said.err
 
 
 def test_a_gear_that_nobody_asks_for_takes_no_part_in_the_status() -> None:
@@ -299,10 +298,8 @@ def test_rows_go_to_what_is_no_file(folder: Path) -> None:
     assert (status, out.count(b"\n")) == (0, 6)
     assert err.startswith(b"/dev/stdout: 5 rows")
     if Path("/dev/full").exists():
-        line = f"cd {folder}; PYTHONPATH={Path(__file__).parents[3]} {sys.executable} -m vstatics "
-        line += "sweep box.yaml --vary D.ratio=-4 > /dev/full"
         full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
-        assert shell(line) == (1, b"", full)
+        assert shell(f"vstatics sweep {MZKT} --vary D1.ratio=-.9 > /dev/full") == (1, b"", full)
 
 
 @pytest.mark.parametrize("where", ["/dev/stdout", "/dev/fd/1"])

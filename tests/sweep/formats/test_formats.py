@@ -185,8 +185,3 @@ def test_an_archive_of_many_gigabytes_is_laid_out_in_64_bits(tmp_path: Path) -> 
             assert member.read(80) == bytes(80)
         with archive.open("a.npy") as member:
             assert combined_crc(zlib.crc32(member.read(128)), zero, 8 * rows) == infos["a.npy"].CRC
-
-
-def test_the_suffix_tells_the_format() -> None:
-    names = ("a.csv", "a.CSV", "a.ndjson", "a.npz", "a.txt")
-    assert [format_of(name, FORMATS) for name in names] == ["csv", "csv", "jsonl", "npz", None]

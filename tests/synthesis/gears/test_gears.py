@@ -5,8 +5,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES
-from vstatics import CaseError, Gear, Mechanism, ShiftElement, Spring, Transmission, load, solve
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.synthesis import SetScheme, combinations, scheme_case
 from vstatics.synthesis.gears.kinds import kind_alone
 from vstatics.synthesis.gears.search import CombinationSearch, chosen_elements
@@ -43,25 +42,6 @@ def test_belaz_7516_as_published() -> None:
         kind, ratio = BELAZ.get((first, second), ("parking", None))
         assert (one.kind, one.free) == (kind, False), one
         assert one.ratio == pytest.approx(ratio, rel=1e-12) if ratio else one.ratio != one.ratio
-
-
-RATIOS_OF_UMDM = {"carrier": 37 / 14, "ring 6": 111 / 65, "sun 4": 1147 / 756, "ring 7": -37 / 9}
-"""Voloshko, Salakhov and others; the ratios of `umdm-reduced.yaml` by Willis."""
-
-
-@pytest.mark.parametrize("file", ["umdm.yaml", "umdm-reduced.yaml"])
-def test_all_elements_of_umdm(file: str) -> None:
-    """Any pair of its six links locks it, four brakes give gears; drawn, planets are links."""
-    case = load(CASES / file)
-    own = {e.links: e.name for e in case.shift_elements}
-    brakes = {n: own.get((n, 0), f"T-{case.link_name(n)}") for n in range(1, case.links + 1)}
-    expected = {brakes[case.link_number(name)]: ratio for name, ratio in RATIOS_OF_UMDM.items()}
-    names = [brakes[link] for link in range(2, 6)]
-    found = combinations(case, elements="auto")
-    assert [one.kind for one in found] == ["direct"] * 15 + ["gear"] * 4
-    assert [one.engaged for one in found[15:]] == [[name] for name in names]
-    ratios = {one.engaged[0]: one.ratio for one in found[15:]}
-    assert ratios == pytest.approx(expected, rel=1e-12)
 
 
 def kinds(case: Transmission, *engaged: int) -> list[tuple[str, bool]]:

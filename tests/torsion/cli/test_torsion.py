@@ -257,9 +257,6 @@ def test_what_does_not_exist_is_null_in_json_and_empty_in_csv() -> None:
     rows = tables(said("modes", "-f", "csv", text=text).out)["Gear direct: amplitudes of links"]
     [lost] = [row for row in rows if row[0] == "lost"]
     assert lost[1:] == [""] * len(gear["modes"])
-    free = ("response", "--at", "a", "--orders", "2,4", "--speed", "0,100")
-    [gear] = document(*free, text=CHAIN)["gears"]
-    assert [one is None for one in gear["orders"][0]["amplitudes"]["a"]] == [True, False]
 
 
 def test_a_vehicle_and_a_half_shaft_to_nothing_are_noted() -> None:
