@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import examples, seeded
+from tests.chance import each_seed, examples, seeded
 from tests.commands import json_answer, vstatics
 from tests.rejects import rejects
 from vstatics import Bearing, CaseError, ReadError, Transmission, example, load, loads, solve
@@ -331,6 +331,31 @@ def test_steps_of_a_cycle_are_points_of_a_duty_cycle() -> None:
     Path("car.yaml").write_text(f"{CAR}coast: true\n", "utf-8")
     coasting = json_answer("summary", "car.yaml", "--duty", "steps.csv", "-f", "json")["duty"]
     assert coasting["energy"] == duty["energy"]
+
+
+@pytest.mark.usefixtures("folder")
+@each_seed(2, 100)
+def test_steps_in_which_a_freewheel_would_overrun_are_points_of_a_duty_cycle(seed: int) -> None:
+    """The engine turns the dragging shaft `s` alone, and the brakes stop the vehicle.
+
+    The freewheel then has a torque of 0, at which statics would let it overrun.
+    """
+    rng = seeded(seed)
+    drag, ratio = 10 ** rng.uniform(-3, 1), rng.uniform(1, 8)
+    Path("car.yaml").write_text(
+        "links: [engine, s, sun, w]\nload: {speed: 1500 rpm, torque: 100 N*m}\n"
+        "shift_elements: {F: {kind: freewheel, links: [sun, s]}}\n"
+        f"mechanisms:\n  p: {{first: engine, second: s, ratio: {rng.uniform(0.5, 2)}}}\n"
+        f"  q: {{first: sun, second: w, ratio: {ratio}, efficiency: {rng.uniform(0.8, 1)}}}\n"
+        f"gears: {{low: []}}\ndrag: {{w: {drag} N*m}}\n"
+        f"vehicle: {{mass: 1500, radius: {rng.uniform(0.1, 0.6)}, overrun: [[0, -900]]}}\n",
+        "utf-8",
+    )
+    Path("trace.csv").write_text("time [s],speed [m/s]\n0,20\n6,12\n9,3\n", "utf-8")
+    answer = json_answer("cycle", "car.yaml", "trace.csv", "--steps", "steps.csv")
+    duty = json_answer("summary", "car.yaml", "--duty", "steps.csv")
+    lost = answer["cycle"]["energy"]["lost"]["drag.w"]
+    assert duty["duty"]["energy"]["lost"]["drag.w"] == pytest.approx(lost)
 
 
 def test_classes_that_cannot_be_are_wrong_use() -> None:

@@ -18,8 +18,8 @@ NO_SPEED = 1e-12
 """Speed of a link that counts as rounding noise, relative to the largest speed. [-]"""
 LEAST_EXCESS = 1e-9
 """Relative increase of an engine torque that rounding left below the least value. [-]"""
-LEAST_CLUTCH_FORCE = 4e-9
-"""Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
+LEAST_FORCE_EXCESS = 4e-9
+"""Increase of the least wheel force against rounding, relative to least and asked force. [-]"""
 LEAST_OPENING = 1e-11
 """Torque or power of a shift element that counts as 0, relative to its initial value. [-]"""
 AT_REST = 1e-10

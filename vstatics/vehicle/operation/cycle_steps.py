@@ -47,7 +47,7 @@ from vstatics.vehicle.operation.shifting import (
 )
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import (
-    LEAST_CLUTCH_FORCE,
+    LEAST_FORCE_EXCESS,
     LEAST_OPENING,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
@@ -431,8 +431,7 @@ class CycleSteps(NamedTuple):
             (low[part], high[part]),
             (at_low[part], at_high),
         )
-        above = slips.any(axis=1)[self.gears[rows[part]]] & (forces != 0)
-        forces += np.where(above, LEAST_CLUTCH_FORCE * (1 + np.abs(forces)), 0.0)
+        forces += np.where(forces, LEAST_FORCE_EXCESS * (np.abs(forces) + np.abs(low[part])), 0.0)
         least_forces = self.least_forces.copy()
         least_forces[rows[part]] = forces
         return self._replace(least_forces=least_forces)
