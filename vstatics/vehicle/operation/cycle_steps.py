@@ -432,7 +432,10 @@ class CycleSteps(NamedTuple):
             (at_low[part], at_high),
         )
         above = slips.any(axis=1)[self.gears[rows[part]]] & (forces != 0)
-        forces += np.where(above, LEAST_CLUTCH_FORCE * (1 + np.abs(forces)), 0.0)
+        # The power is nearly linear, so this covers all forces at which the power counts as 0.
+        margin = LEAST_CLUTCH_FORCE * (1 + np.abs(forces))
+        margin += 10 * LEAST_OPENING * np.abs(forces - low[part])
+        forces += np.where(above, margin, 0.0)
         least_forces = self.least_forces.copy()
         least_forces[rows[part]] = forces
         return self._replace(least_forces=least_forces)
