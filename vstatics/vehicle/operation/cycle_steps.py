@@ -431,6 +431,7 @@ class CycleSteps(NamedTuple):
             (low[part], high[part]),
             (at_low[part], at_high),
         )
+        # The margin covers all forces at which the torque or power counts as 0.
         forces += np.where(forces, LEAST_FORCE_EXCESS * (np.abs(forces) + np.abs(low[part])), 0.0)
         least_forces = self.least_forces.copy()
         least_forces[rows[part]] = forces
