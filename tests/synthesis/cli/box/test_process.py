@@ -1,12 +1,19 @@
-"""`vstatics synth box` as processes: a Dask cluster, and threads of one worker."""
+"""`vstatics synth box` as processes: several of them, killed ones, a Dask cluster."""
 
+import json
+import os
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.commands import process
+from tests.commands import environment, process
+from tests.processes import names, wait_for
 from tests.sweep.test_cluster import Cluster
 from vstatics.synthesis.boxes.batches.found import found_in, prepare
 from vstatics.synthesis.boxes.box import BoxSearch
@@ -17,12 +24,44 @@ SIMPSON = (
     *("--sets", 2, "--shift-elements", 4, "--engaged", 2, "--own-input"),
     *("--ratios", "2.45,1.45,1,-2.2", "-q", "-f", "json"),
 )
+GM = (
+    *("--sets", 3, "--shift-elements", 5, "--engaged", 2),
+    *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94", "-q"),
+    *("--tolerance", 0.05),
+)
+"""Pieces of some seconds at most."""
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
-    """The search is compiled before it is called; the machine code is kept."""
+    """The search is compiled before anything is killed; the machine code is kept."""
     prepare(BoxSearch(1, 2, 1, (3.0, 1.0)))
+
+
+def begin(*arguments: object, cwd: Path) -> Any:
+    """Start a search in a session of its own, which can be killed as a whole."""
+    command = [sys.executable, "-m", "vstatics", "synth", "box", *map(str, arguments)]
+    null = subprocess.DEVNULL
+    return subprocess.Popen(
+        command, cwd=cwd, env=environment(), stdout=null, stderr=null, start_new_session=True
+    )
+
+
+def test_a_search_that_is_killed_loses_no_piece(tmp_path: Path) -> None:
+    """The result is that of one process, to the byte."""
+    running = begin(*GM, "-j", 2, "-o", "found.json", cwd=tmp_path)
+    parts = tmp_path / "found.json.parts"
+    wait_for(lambda: parts.exists() and any(name.isdigit() for name in names(parts)))
+    os.killpg(running.pid, signal.SIGKILL)
+    running.wait()
+    assert names(tmp_path) == ["found.json.parts"]
+    again = process("synth", "box", *GM, "-o", "found.json", "--resume", "-j", 1, cwd=tmp_path)
+    assert again[0] == 0
+    assert process("synth", "box", *GM, "-o", "whole.json", "-j", 2, cwd=tmp_path)[0] == 0
+    found, whole = ((tmp_path / name).read_bytes() for name in ("found.json", "whole.json"))
+    assert found == whole
+    assert json.loads(found)["found"] > 0
+    assert names(tmp_path) == ["found.json", "whole.json"]
 
 
 @pytest.fixture
