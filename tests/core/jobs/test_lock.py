@@ -9,11 +9,15 @@ import pytest
 
 from tests.processes import names
 from vstatics.core.errors import ReadError
+from vstatics.core.jobs import lock as lock_module
 from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 
-def test_a_lock_names_its_process_until_it_is_let_go(tmp_path: Path) -> None:
+def test_a_lock_names_its_process_until_it_is_let_go(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lock_module, "LOCK_TENTHS", 2)
     folder = StateFolder(str(tmp_path))
     held = lock(folder, "mine", "run")
     with pytest.raises(ReadError, match=rf"another run \(process {os.getpid()}\) is writing"):

@@ -176,7 +176,7 @@ def differing(one: str, other: str) -> tuple[str, str]:
     return one[begin : len(one) - end], other[begin : len(other) - end]
 
 
-@settings(phases=[Phase.generate], max_examples=count(8, 120))
+@settings(phases=[Phase.generate], max_examples=count(5, 120))
 @given(st.data(), transmissions(torsional=True), FORMS)
 def test_a_saved_number_is_that_of_a_sweep_and_all_else_of_the_file_stays(
     served: ServedCase, data: st.DataObject, case: Transmission, form: Form

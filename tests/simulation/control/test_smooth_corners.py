@@ -229,7 +229,7 @@ springs: {S: {links: [a], stiffness: 200, damping: 10}}
 mechanisms: {M: {first: c, second: d, ratio: 3.2, efficiency: 0.9}}
 """
     motion = simulated(
-        """duration: 0.8
+        """duration: 0.33
 start: {speeds: {a: -30, b: -30, d: 0, e: -30}}
 tables: {q: [[0, 0], [0.3, 40], [0.6, -40]]}
 controls:
