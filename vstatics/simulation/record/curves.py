@@ -228,7 +228,8 @@ def _risen(values: Floats) -> Floats:
 
 
 def _finite(values: Floats) -> Floats:
-    return np.where(np.isfinite(values), values, 0.0)
+    is_finite = np.isfinite(values)
+    return values if is_finite.all() else np.where(is_finite, values, 0.0)
 
 
 def _values_at(powers: Floats, places: Floats) -> Floats:

@@ -179,10 +179,12 @@ class DrawnRun:
             return np.concatenate([at[None, :], columns])
 
         ends = np.append(course.curves.begins, course.steps[-1][1])
-        edges = points(np.sort(np.concatenate([ends, times])))
-        low, high = edges[:, :-1], edges[:, 1:]
+        edges = np.sort(np.concatenate([ends, times]))
+        halves = np.empty(2 * len(edges) - 1)
+        halves[::2], halves[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
+        known = points(halves)
+        low, middle, high = known[:, :-1:2], known[:, 1::2], known[:, 2::2]
         for _ in range(_MOST_BISECTIONS):
-            middle = points(0.5 * (low[0] + high[0]))
             apart = np.abs(middle - 0.5 * (low + high))[1:]
             far = (apart > CHORD * size[:, None]).any(axis=0)
             if not far.any() or len(times) > _MOST_NEAR_CORNERS:
@@ -192,4 +194,5 @@ class DrawnRun:
             low, high = np.hstack([low, middle]), np.hstack([middle, high])
             order = low[0].argsort()
             low, high = low[:, order], high[:, order]
+            middle = points(0.5 * (low[0] + high[0]))
         return course.inside(times)
