@@ -110,7 +110,7 @@ def test_a_single_variant_has_the_numbers_of_the_function_with_and_without_a_pla
     counted = Counted(branches)
     own = Plans(counted)
     for x in (*np.linspace(1.5, 3.5, 40).tolist(), 0.5, 5.0, 2.0):
-        assert list(own.run_one(np.array([[x]]), 3)) == branches([x])
+        assert list(own.run_one([x], 3)) == branches([x])
     assert counted.traced + counted.alone < 12  # plans served the others
 
 

@@ -97,17 +97,13 @@ class Plans:
         # This is a new list, because another thread can be using the old list.
         self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
 
-    def run_one(self, values: Floats, results: int) -> Sequence[float]:
-        """Return the results of a single variant; `results` is their number.
-
-        The array `values` of inputs has the shape (inputs, 1).
-        """
-        numbers = values[:, 0].tolist()
+    def run_one(self, numbers: Sequence[float], results: int) -> Sequence[float]:
+        """Return the results of a single variant; `results` is their number."""
         for plan in self.plans:
             if not plan.signed and (calculated := plan.run_one(numbers)):
                 return calculated
         rows = np.empty((results, 1))
-        self.run(prepared(values), Rows([*rows]))
+        self.run(prepared(np.array(numbers)[:, np.newaxis]), Rows([*rows]))
         of_all: list[float] = rows[:, 0].tolist()
         return of_all
 

@@ -19,7 +19,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics import diagnosis
 from vstatics.core.statics.matrix import EXPECTED, Quantity, by_mechanism, impossible
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.variants import solve_variants
+from vstatics.core.statics.variants import solve_one, solve_variants
 
 
 def solution(  # noqa: PLR0913
@@ -64,10 +64,10 @@ def solution(  # noqa: PLR0913
 
         return solve_laws(case, axes, u, eta)
     with np.errstate(all="ignore"):
+        if axes == ():
+            results = Results(case=case, **solve_one(case))
+            return explained(results) if explain else results
         arrays = solve_variants(case, u, eta, math.prod(axes))
-    if axes == ():
-        results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
-        return explained(results) if explain else results
     shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
     return Results(case=case, **shaped)
 

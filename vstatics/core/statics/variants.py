@@ -7,7 +7,6 @@ import threading
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
-from itertools import accumulate
 from operator import attrgetter
 from typing import Any, Literal, get_args
 
@@ -84,9 +83,37 @@ def solve_variants(
         For each gear, the numbers that vary only in this gear.
     """
     fixed, values = _inputs(case, ratios, efficiencies, variants)
+    calls = _calls(case, fixed, values, by_gear)
+    if variants == 1:
+        alone = _arrays_of_one(case, [(plans, given[:, 0].tolist()) for plans, given in calls])
+        return {name: array[np.newaxis] for name, array in alone.items()}
+    tables = _tables(calls, case.derived(_widths), values)
+    shape = variants, len(case.gears)
+    return {
+        name: _placeholder(name, (*shape, width or 0))
+        if (table := tables.get(name)) is None
+        else table[..., 0]
+        if width is None
+        else table
+        for name, width in case.derived(row_counts).items()
+    }
+
+
+def solve_one(case: Transmission) -> dict[str, Any]:
+    """Return the arrays of `Results` for the numbers of the case itself, without variants."""
+    numbers = _numbers(case)
+    return _arrays_of_one(case, [(plans, numbers) for plans in case.derived(_plans_of_one)])
+
+
+def _calls(
+    case: Transmission,
+    fixed: Sequence[float | None],
+    values: Floats,
+    by_gear: Sequence[GearNumbers] = (),
+) -> list[tuple[Plans, Floats]]:
+    """Return the plans of each gear, with their inputs."""
     widths = case.derived(_widths)
-    names = tuple(widths)
-    structure = (*_case_key(case), tuple(fixed), names)
+    structure = (*_case_key(case), tuple(fixed), tuple(widths))
     gear_keys = case.derived(_gear_keys)
     calls = []
     for number, gear in enumerate(case.gears_with_drag):
@@ -99,16 +126,12 @@ def solve_variants(
             numbers = np.vstack([values, *gear_inputs.rows])
         create = partial(_plans_of, case, gear, fixed, widths, gear_inputs)
         calls.append((_remembered(key, create), numbers))
-    tables = _tables_of_one(calls, widths) if variants == 1 else _tables(calls, widths, values)
-    shape = variants, len(case.gears)
-    return {
-        name: _placeholder(name, (*shape, width or 0))
-        if (table := tables.get(name)) is None
-        else table[..., 0]
-        if width is None
-        else table
-        for name, width in case.derived(row_counts).items()
-    }
+    return calls
+
+
+def _plans_of_one(case: Transmission) -> list[Plans]:
+    """Return the plans of each gear for a single variant."""
+    return [plans for plans, _ in _calls(case, *_inputs(case, None, None, 1))]
 
 
 def _widths(case: Transmission) -> dict[str, int]:
@@ -138,20 +161,41 @@ def _tables(
     return {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
 
 
-def _tables_of_one(
-    calls: Sequence[tuple[Plans, Floats]], widths: Mapping[str, int]
+def _arrays_of_one(
+    case: Transmission, calls: Iterable[tuple[Plans, Sequence[float]]]
 ) -> dict[str, Any]:
-    """Return the tables of a single variant."""
-    count = sum(widths.values())
-    numbers = np.array([[plans.run_one(values, count) for plans, values in calls]], np.float64)
+    """Return the read-only arrays of a single variant."""
+    count, places, others = case.derived(_layout)
+    numbers = np.array([plans.run_one(given, count) for plans, given in calls], np.float64)
     by_kind: dict[type, Any] = {}
-    for kind in {ARRAYS[name].dtype for name in widths}:
+    for kind in {kind for kind, _ in places.values()}:
         by_kind[kind] = numbers.astype(kind)
         by_kind[kind].flags.writeable = False
-    return {
-        name: by_kind[ARRAYS[name].dtype][..., end - width : end]
-        for (name, width), end in zip(widths.items(), accumulate(widths.values()), strict=True)
-    }
+    return others | {name: by_kind[kind][:, place] for name, (kind, place) in places.items()}
+
+
+def _layout(
+    case: Transmission,
+) -> tuple[int, dict[str, tuple[type, int | slice]], dict[str, Floats]]:
+    """Return the number of results of a gear, the places of arrays there, and other arrays."""
+    places: dict[str, tuple[type, int | slice]] = {}
+    widths, counts = case.derived(_widths), case.derived(row_counts)
+    count = 0
+    for name, width in widths.items():
+        place = count if counts[name] is None else slice(count, count + width)
+        places[name] = ARRAYS[name].dtype, place
+        count += width
+    gears = len(case.gears)
+    left = {name: width or 0 for name, width in counts.items() if name not in widths}
+    return count, places, {name: _placeholder(name, (gears, n)) for name, n in left.items()}
+
+
+def _numbers(case: Transmission) -> list[float]:
+    """Return the ratios, then the efficiencies, of the mechanisms."""
+    mechanisms = case.mechanisms
+    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 prevents plans.
+    ratios = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
+    return ratios + [mechanism.efficiency for mechanism in mechanisms]
 
 
 def _inputs(
@@ -162,13 +206,10 @@ def _inputs(
     For a single variant all numbers count as varying, so that other cases with the same structure
     can use its plans.
     """
-    mechanisms = case.mechanisms
-    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 prevents plans.
-    defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
-    defaults += [mechanism.efficiency for mechanism in mechanisms]
+    defaults, mechanisms = _numbers(case), len(case.mechanisms)
     if variants == 1 and ratios is None and efficiencies is None:
         return [None] * len(defaults), np.array(defaults, dtype=np.float64)[:, np.newaxis]
-    given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
+    given = _columns(ratios, mechanisms) + _columns(efficiencies, mechanisms)
     fixed: list[float | None] = []
     varied = []
     for number, column in zip(defaults, given, strict=True):
@@ -248,7 +289,7 @@ def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _placeholder(name: str, shape: tuple[int, int, int]) -> Any:
+def _placeholder(name: str, shape: tuple[int, ...]) -> Any:
     """Return a read-only array of equal values (True for flags) that needs no memory."""
     value = 0.0 if name in SLIPPING else math.nan
     return np.broadcast_to(ARRAYS[name].dtype(value), shape)

@@ -23,6 +23,7 @@ from vstatics.core.model.parts import Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.converters import lossless_ratios
+from vstatics.core.statics.points.roots import EDGE_STEPS, Edges
 from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
@@ -373,18 +374,16 @@ class ConverterGear(NamedTuple):
         values = np.full(places.shape, np.nan)
         values[at, columns] = surplus(at, places[at, columns])
         signs = np.sign(values)
-        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
-        first = changes.argmax(axis=1)
-        solved = np.flatnonzero(changes.any(axis=1))
-        inverse = np.full(len(places), np.nan)
-        ends = (solved, first[solved]), (solved, first[solved] + 1)
-        # At low engine speeds the surplus is nearly linear in the square of the inverse speed.
-        squares = illinois_root(
-            lambda part, x: surplus(solved[part], np.sqrt(x)),
-            (places[ends[0]] ** 2, places[ends[1]] ** 2),
-            (values[ends[0]], values[ends[1]]),
+        inverse = _first_roots(places, values, surplus)
+        lacking = np.flatnonzero(np.isnan(inverse))
+        # A gear can be self-locking at only one of two neighbouring places.
+        edges = Edges.of(places[lacking].T, values[lacking].T)
+        for _ in range(EDGE_STEPS if edges.point.size else 0):
+            edges = edges.halved(surplus(lacking[edges.point], edges.middle))
+        tried, at_tried = edges.inserted(places[lacking].T, values[lacking].T)
+        inverse[lacking] = _first_roots(
+            tried.T, at_tried.T, lambda at, inverse: surplus(lacking[at], inverse)
         )
-        inverse[solved] = np.sqrt(squares)
         last = np.maximum(known.sum(axis=1) - 1, 0)
         of_signs = np.stack([np.isfinite(signs).argmax(axis=1), last], axis=1)
         of_ends = np.stack([np.zeros_like(last), last], axis=1)
@@ -464,6 +463,24 @@ def _with_searched(points: Floats, free: float) -> Floats:
     sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
     ratios = np.unique([*points[:, 0], free, *sides])
     return _interpolated(points, ratios)
+
+
+def _first_roots(places: Floats, values: Floats, surplus: Brought) -> Floats:
+    """Return the root at the first sign change in each row of places, NaN without a change."""
+    signs = np.sign(values)
+    changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
+    first = changes.argmax(axis=1)
+    solved = np.flatnonzero(changes.any(axis=1))
+    inverse = np.full(len(places), np.nan)
+    ends = (solved, first[solved]), (solved, first[solved] + 1)
+    # At low engine speeds the surplus is nearly linear in the square of the inverse speed.
+    squares = illinois_root(
+        lambda part, x: surplus(solved[part], np.sqrt(x)),
+        (places[ends[0]] ** 2, places[ends[1]] ** 2),
+        (values[ends[0]], values[ends[1]]),
+    )
+    inverse[solved] = np.sqrt(squares)
+    return inverse
 
 
 def illinois_root(

@@ -39,7 +39,7 @@ from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.result_arrays import Outside, first_rows
 from vstatics.core.statics.results import Results
 
-MOST_FIXED_POINT_STEPS = 100
+MOST_FIXED_POINT_STEPS = 30
 """Largest number of fixed-point iterations."""
 MOST_EXTRAPOLATED_STEPS = 40
 """Largest number of extrapolated iterations, which follow slow or oscillating iterations."""
@@ -325,25 +325,32 @@ class _Search:
             for number, law in self.laws.items()
         }
         still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
-        before = guess
+        rows, part = np.arange(self.variants), self
+        before = present = {number: column.copy() for number, column in guess.items()}
         for step in range(MOST_FIXED_POINT_STEPS + MOST_EXTRAPOLATED_STEPS):
-            _, efficiencies = self._tried(guess)
-            still[:], lacking[:] = True, False
+            _, efficiencies = part._tried(present)
+            still[rows], lacking[rows] = True, False
             extrapolates = step >= MOST_FIXED_POINT_STEPS and step % 2 == 1
-            latest = dict(guess)
+            latest, present = present, {}
             for number, values in efficiencies.items():
-                moved = np.abs(values - guess[number]) > STANDS_STILL
-                still[:, number.gear or 0] &= ~moved
-                lacking[:, number.gear or 0] |= np.isnan(values)
-                following = np.where(np.isnan(values), guess[number], values)
+                moved = np.abs(values - latest[number]) > STANDS_STILL
+                still[rows, number.gear or 0] &= ~moved
+                lacking[rows, number.gear or 0] |= np.isnan(values)
+                following = np.where(np.isnan(values), latest[number], values)
                 if extrapolates:
-                    limit = _extrapolated(before[number], guess[number], following)
+                    limit = _extrapolated(before[number], latest[number], following)
                     limit = np.clip(limit, *_ends(self.laws[number]))
                     following = np.where(moved & np.isfinite(limit), limit, following)
-                guess[number] = following
-            before = latest
-            if still.all():
+                guess[number][rows], present[number] = following, following
+            unsettled = ~still[rows].all(axis=1)
+            rows = rows[unsettled]
+            if not rows.size:
                 break
+            part = self._part(rows)
+            before, present = (
+                {number: column[unsettled] for number, column in columns.items()}
+                for columns in (latest, present)
+            )
         return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:

@@ -141,7 +141,7 @@ def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> d
     return {unknown: np.concatenate(parts) for unknown, parts in surpluses.items()}
 
 
-class _Edges(NamedTuple):
+class Edges(NamedTuple):
     """Intervals between two trials of which only one has a surplus."""
 
     cell: Integers
@@ -155,7 +155,7 @@ class _Edges(NamedTuple):
     """Surpluses at `known`."""
 
     @classmethod
-    def of(cls, trials: Floats, surplus: Floats) -> _Edges:
+    def of(cls, trials: Floats, surplus: Floats) -> Edges:
         """Return the intervals among trials, which have the shape (trials, points)."""
         lacks = np.isnan(surplus)
         wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
@@ -170,7 +170,7 @@ class _Edges(NamedTuple):
         middle: Floats = (self.known + self.beyond) / 2
         return middle
 
-    def halved(self, surplus: Floats) -> _Edges:
+    def halved(self, surplus: Floats) -> Edges:
         """Return the halves at one end of which no surplus exists, from surpluses at the middle."""
         lacks, middle = np.isnan(surplus), self.middle
         return self._replace(
@@ -179,31 +179,36 @@ class _Edges(NamedTuple):
             last=np.where(lacks, self.last, surplus),
         )
 
+    def inserted(self, trials: Floats, surplus: Floats) -> tuple[Floats, Floats]:
+        """Insert a row after each row of trials and surplus, both of shape (trials, points).
+
+        The new row contains the trial at the end of an interval where the surplus exists, and its
+        surplus. Without an interval, the new row repeats the row before.
+        """
+        trials, values = (np.repeat(array, 2, axis=0)[:-1] for array in (trials, surplus))
+        place = 2 * self.cell + 1, self.point
+        trials[place], values[place] = self.known, self.last
+        return trials, values
+
 
 def _with_edges(
     grids: Mapping[U, Floats], columns: Columns, surplus: Mapping[U, Floats], follow: Follow
 ) -> dict[U, tuple[Floats, Floats]]:
-    """Insert a row after each row of trials and surplus, both of shape (trials, points).
+    """Insert the limits up to which torques exist into trials and surplus.
 
-    If friction locks a gear at only one of two neighbouring trials, the new row contains the limit
-    up to which torques exist. A sign change before this limit is then not missed. Otherwise the new
-    row repeats the row before.
+    If friction locks a gear at only one of two neighbouring trials, a sign change before this limit
+    is then not missed.
     """
-    edges = {unknown: _Edges.of(grid, surplus[unknown]) for unknown, grid in grids.items()}
+    edges = {unknown: Edges.of(grid, surplus[unknown]) for unknown, grid in grids.items()}
     together = sum(len(edge.cell) for edge in edges.values()) <= MOST_POINTS_AT_ONCE
     for group in [[*edges]] if together else [[unknown] for unknown in edges]:
         edges |= _limits({unknown: edges[unknown] for unknown in group}, columns, follow)
-    tried = {}
-    for unknown, edge in edges.items():
-        both = grids[unknown], surplus[unknown]
-        trials, values = (np.repeat(array, 2, axis=0)[:-1] for array in both)
-        place = 2 * edge.cell + 1, edge.point
-        trials[place], values[place] = edge.known, edge.last
-        tried[unknown] = trials, values
-    return tried
+    return {
+        unknown: edge.inserted(grids[unknown], surplus[unknown]) for unknown, edge in edges.items()
+    }
 
 
-def _limits(edges: Mapping[U, _Edges], columns: Columns, follow: Follow) -> dict[U, _Edges]:
+def _limits(edges: Mapping[U, Edges], columns: Columns, follow: Follow) -> dict[U, Edges]:
     """Bisect intervals of several gears at once, to the limits up to which torques exist."""
     found = dict(edges)
     point = np.concatenate([edge.point for edge in edges.values()])
