@@ -6,6 +6,8 @@ SAME_SPEED = 1e-12
 """Excess over the last engine speed that counts as rounding noise, relative to this speed. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
 """Largest difference between engine torques that count as equal. [N*m]"""
+SAME_DRAG_TORQUE = 1e-10
+"""Change of an input torque at which drag relative to it is final, relative to 1 + torque. [-]"""
 NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest torque. [-]"""
 SAME_TORQUE_CLASS = 1e-9
