@@ -208,10 +208,11 @@ class CycleSteps(NamedTuple):
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
+        at_wheels = np.abs(self.forces * self.trace.speed)
         for gear in sorted(ahead, key=lambda gear: float(self.engine.ratios[gear])):
             steps = self._in_gears(np.full(len(self.gears), gear))
             rows, powers = steps.powers_of(moving)
-            better = powers < best[rows] - SAME_POWER * np.abs(powers)
+            better = powers < best[rows] - SAME_POWER * (np.abs(powers) + at_wheels[rows])
             best[rows[better]], gears[rows[better]] = powers[better], gear
         return gears
 
