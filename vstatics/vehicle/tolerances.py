@@ -6,12 +6,16 @@ SAME_SPEED = 1e-12
 """Excess over the last engine speed that counts as rounding noise, relative to this speed. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
 """Largest difference between engine torques that count as equal. [N*m]"""
+SAME_DRAG_TORQUE = 1e-10
+"""Change of an input torque at which drag relative to it is final, relative to 1 + torque. [-]"""
 NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest torque. [-]"""
 SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque counts as equal to a class bound or threshold. [-]"""
-SAME_POWER = 1e-9
-"""Relative difference up to which the powers of two gears count as equal. [-]"""
+SAME_POWER = 1e-7
+"""Difference up to which the powers of two gears count as equal, relative to engine and wheels. [-]
+
+It exceeds the power of open clutches, which `LEAST_FORCE_EXCESS` leaves above 0."""
 NO_CYCLE_ENERGY = 1e-13
 """Energy of a cycle that counts as rounding noise, relative to the sum of all magnitudes. [-]"""
 NO_SPEED = 1e-12

@@ -23,7 +23,7 @@ from vstatics import (
     solve,
 )
 from vstatics.core.model.checks import doubts
-from vstatics.core.model.parts import BatteryBalance
+from vstatics.core.model.parts import BatteryBalance, OfLoad
 from vstatics.core.model.transmission import SpeedOf
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers import sweep_tables
@@ -103,7 +103,7 @@ def test_random_cycles_are_in_balance(seed: int) -> None:
     sets = [m._replace(efficiency=eta) for m, eta in zip(CASE.mechanisms, etas, strict=True)]
     case = CASE.replace(
         mechanisms=sets,
-        gears=[gear._replace(drag={4: rng.uniform(0, 3)}) for gear in CASE.gears],
+        gears=[gear._replace(drag={4: OfLoad(rng.uniform(0, 3), 1)}) for gear in CASE.gears],
         vehicle=CAR._replace(overrun=[(0.0, -rng.uniform(0, 20))]),
         load=Load(2000.0, 100.0),
     )
@@ -113,6 +113,28 @@ def test_random_cycles_are_in_balance(seed: int) -> None:
     total = parts.wheels + parts.inertias + parts.brakes + math.fsum(parts.lost.values())
     assert parts.engine == pytest.approx(total, rel=1e-9, abs=1e-6)
     assert parts.brakes >= 0
+
+
+@each_seed(3, 60)
+def test_drag_without_unit_is_relative_to_the_input_torque(seed: int) -> None:
+    """By hand along the gear pairs, from the torque that the engine leaves for the input."""
+    chance = seeded(2790 + seed)
+    pairs = [Mechanism(n, n + 1, 0, chance.uniform(1, 4), chance.uniform(0.8, 1)) for n in (1, 2)]
+    drag = {link: chance.choice([0, chance.uniform(0, 0.2)]) for link in (1, 2, 3)}
+    car = CAR._replace(overrun=[(0.0, -1e5)])
+    case = Transmission(3, [], pairs, [Gear(name="1")], drag=drag, inertias={1: 0.1}, vehicle=car)
+    rows = [(2.0 * n, chance.uniform(1, 30), "1") for n in range(9)]
+    made = drive(case, trace(*rows), GearChoice()).steps
+    ratio = car.final_drive / car.radius
+    turning = math.prod(pair.ratio for pair in pairs) * np.diff([v for _, v, _ in rows]) / 2 * ratio
+    entering = np.array(made["engine torque [N*m]"]) - 0.1 * turning
+    torque = entering - drag[1] * np.abs(entering)
+    for link, pair in enumerate(pairs, 2):
+        passed = np.where(torque > 0, pair.efficiency, 1 / pair.efficiency)
+        torque = torque * pair.ratio * passed - drag[link] * np.abs(entering)
+    assert torque * ratio == pytest.approx(np.array(made["wheel force [N]"]), rel=1e-9)
+    with pytest.raises(CaseError, match="drag relative to the input torque takes this torque"):
+        drive(case.replace(drag={1: 1.01}), trace(*rows), GearChoice())
 
 
 def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:

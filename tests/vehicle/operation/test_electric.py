@@ -13,7 +13,16 @@ from tests.chance import examples, seeded
 from tests.commands import json_answer, vstatics
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from tests.rejects import rejects
-from vstatics import CaseError, Gear, Mechanism, ReadError, ShiftElement, Transmission, loads
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ReadError,
+    ShiftElement,
+    Transmission,
+    loads,
+)
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers.named.law_formulas import DragFormula, EfficiencyFormula
@@ -205,6 +214,21 @@ def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone(examples: int)
                 compared += 1
                 assert energies[gear] == pytest.approx(min(energies.values()), rel=1e-9)
     assert compared > examples
+
+
+@examples(3, 6, 100)
+def test_open_clutches_leave_the_gear_of_the_smallest_ratio(examples: int) -> None:
+    """While the vehicle brakes, slipping clutches are open, and the engine drives in no gear."""
+    chance, clutches = seeded(64), [ShiftElement(1, 2), ShiftElement(1, 3)]
+    for _ in range(examples):
+        ratios = {2: chance.uniform(8, 12), 3: chance.uniform(4, 7)}
+        pairs = [Mechanism(n, 4, 0, ratio, chance.uniform(0.8, 1)) for n, ratio in ratios.items()]
+        gears = [Gear(slip={1: 0.1}, name="1"), Gear(slip={2: 0.1}, name="2")]
+        car = Vehicle(1500, 0.3, engine=[(0.0, 200.0), (700.0, 150.0)], overrun=[(0, -30)])
+        parts = Transmission(4, clutches, pairs, gears, drag={4: 3.0}, vehicle=car)
+        case = parts.replace(load=Load(2000, 60))  # drag in N*m
+        trace = timed([chance.uniform(18, 20), chance.uniform(14, 16)])
+        assert [*drive(case, trace, GearChoice(least_loss=True)).gears] == ["2"]
 
 
 def test_a_drag_below_0_is_an_error_of_the_case() -> None:

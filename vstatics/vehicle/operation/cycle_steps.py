@@ -49,6 +49,7 @@ from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import (
     LEAST_FORCE_EXCESS,
     LEAST_OPENING,
+    SAME_DRAG_TORQUE,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
 )
@@ -58,6 +59,10 @@ ENLARGEMENT = 16
 MOST_ENLARGEMENTS = 8
 """Largest number of enlargements of a trial wheel force."""
 
+MOST_DRAG_ROUNDS = 200
+"""Largest number of calculations of drag that is relative to the input torque."""
+
+_ALL_IS_DRAG = "drag relative to the input torque takes this torque; give drag in N*m"
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
 _IN_NEUTRAL = ": a moving vehicle needs a gear, and coasting in neutral is not calculated"
@@ -128,6 +133,8 @@ class CycleSteps(NamedTuple):
 
     At this force a clutch or freewheel carries no torque. The shape is (steps,).
     """
+    entering: Floats
+    """Magnitudes of input torques, to which drag without unit is relative, shape (steps,). [N*m]"""
     opening: Mapping[int, Sequence[int]]
     """Numbers of freewheels that hold in a gear only if it drives, by index of the gear.
 
@@ -182,6 +189,7 @@ class CycleSteps(NamedTuple):
         steps = cls(
             *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed),
             np.full(len(gears), -math.inf),
+            np.zeros(len(gears)),
             opening,
         )
         if not choice.least_loss:
@@ -200,10 +208,11 @@ class CycleSteps(NamedTuple):
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
+        at_wheels = np.abs(self.forces * self.trace.speed)
         for gear in sorted(ahead, key=lambda gear: float(self.engine.ratios[gear])):
             steps = self._in_gears(np.full(len(self.gears), gear))
             rows, powers = steps.powers_of(moving)
-            better = powers < best[rows] - SAME_POWER * np.abs(powers)
+            better = powers < best[rows] - SAME_POWER * (np.abs(powers) + at_wheels[rows])
             best[rows[better]], gears[rows[better]] = powers[better], gear
         return gears
 
@@ -251,6 +260,7 @@ class CycleSteps(NamedTuple):
             gears=self.gears[rows],
             engine_speeds=self.engine_speeds[rows],
             least_forces=self.least_forces[rows],
+            entering=self.entering[rows],
         )
 
     @property
@@ -323,12 +333,13 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return inertia torques [N*m] by path, without outputs and links with given speeds.
+        """Return inertia torques, without outputs and links with given speeds, and drag [N*m].
 
         The input link of a gear with a loss as a whole is left out. This loss depends on the torque
         that the inertia of the input link leaves for the gear.
         """
-        return {
+        drag = {path: part * self.entering[rows] for path, part in relative_drag(case).items()}
+        return drag | {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
             for link, inertia in case.heavy.items()
@@ -493,7 +504,16 @@ class CycleSteps(NamedTuple):
         CaseError
             If a step has no torques.
         """
-        return self._with_open_elements(rows).driven_by_engine(rows)
+        steps, is_relative = self, bool(relative_drag(self.case))
+        for _ in range(MOST_DRAG_ROUNDS):
+            driven = steps._with_open_elements(rows).driven_by_engine(rows)
+            entering, before = np.zeros(len(self.gears)), steps.entering
+            entering[rows] = np.abs(driven.torques[rows] + self._input_inertia(rows))
+            changed = np.flatnonzero(np.abs(entering - before) > SAME_DRAG_TORQUE * (1 + entering))
+            if not (is_relative and changed.size):
+                return driven
+            steps = self._replace(entering=entering)
+        raise CaseError([Problem("E424", _ALL_IS_DRAG, (row,)) for row in changed.tolist()])
 
     def driven_by_engine(self, rows: Integers) -> DrivenSteps:
         """Return the result of `driven` if `least_forces` are known."""
@@ -634,6 +654,19 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
         }
         gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
     return case.replace(gears=gears, outputs=())
+
+
+def relative_drag(case: Transmission) -> dict[str, float]:
+    """Return drag torques without unit, which are relative to the input torque, by path [-]."""
+    links = [case.link_name(number + 1) for number in range(case.links)]
+    names = {"drag": links, "open_drag": [element.name for element in case.shift_elements]}
+    return {
+        f"gears.{gear.name}.{quantity}.{of_part[part - 1]}": drag
+        for gear in case.gears_with_drag
+        for quantity, of_part in names.items()
+        for part, drag in getattr(gear, quantity).items()
+        if drag and not isinstance(drag, Law | OfLoad)
+    }
 
 
 def _with_loss(loss: Law, rows: Integers, speeds: Floats, torques: Floats) -> Floats:
