@@ -293,11 +293,16 @@ def test_faults_are_located() -> None:
     assert_located(SIMPSON, rows)
 
 
-def test_a_reversed_freewheel_is_the_remedy_of_a_gear_that_cannot_drive() -> None:
+@pytest.mark.parametrize("converter", [False, True])
+def test_a_reversed_freewheel_is_the_remedy_of_a_gear_that_cannot_drive(converter: bool) -> None:
     """No further shift element is needed, because the freewheel holds in its right order."""
-    reversed_freewheel = loads(
-        SIMPSON.replace("[carrier 2, housing]}\n  E", "[0, carrier 2]}\n  E")
-    )
+    text = SIMPSON.replace("[carrier 2, housing]}\n  E", "[0, carrier 2]}\n  E")
+    if converter:
+        points = "kind: converter, points: [[0, 2, 4e-3], [1, 1, 0]]"
+        pump = f"mechanisms:\n  TC: {{first: engine, second: input, {points}}}"
+        text = text.replace("links: [", "links: [engine, ", 1).replace("mechanisms:", pump)
+        text += "load: {speed: 2000 rpm, torque: 100 N*m}\n"
+    reversed_freewheel = loads(text)
     case = reversed_freewheel.replace(gears=reversed_freewheel.gears[:1])
     [problem] = undriven_gears(solved(case))
     assert problem.message == (

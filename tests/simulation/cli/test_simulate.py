@@ -175,6 +175,9 @@ def test_wrong_use() -> None:
         assert vstatics("simulate", *options).status == 2, options
     said = vstatics("simulate", "box.yaml")
     assert said.gives_nothing("this is a case, expected a scenario")
+    for options in ([], ["--samples", "2", "-o", "a.csv"]):
+        said = vstatics("simulate", "box.yaml", "lock.yaml", *options)
+        assert said.is_wrong_use("expected the scenario first, then the case: lock.yaml box.yaml")
 
 
 def test_a_scenario_is_checked_with_its_case() -> None:

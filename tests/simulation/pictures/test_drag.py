@@ -90,8 +90,8 @@ def run(texts: Texts, folder: Path) -> tuple[Results, Motion]:
 
 
 def shown(results: Results, motion: Motion) -> list[ShiftPhase]:
-    sets = element_sets(results)
-    return phases(sets, motion, gear_pieces(sets, motion), states(motion))
+    sets, rows = element_sets(results), states(motion)
+    return phases(sets, motion, gear_pieces(sets, motion, rows), rows)
 
 
 def expected(motion: Motion, texts: Texts) -> list[tuple[str, float, float]]:

@@ -298,6 +298,13 @@ def test_input_speeds_in_rpm_are_those_of_the_start_and_of_laws_over_speed() -> 
     assert file.input_speeds == pytest.approx((900, 30, 6 * 30 / math.pi))
 
 
+def test_a_start_speed_without_its_unit_is_told_where_few_engines_are_as_fast() -> None:
+    """3000 rad/s are 28,648 rpm; a motor of 12,000 rpm, with its unit, is none of them."""
+    for speed, told in (("3000", ["N205"]), ("12000 rpm", []), ("300", [])):
+        file = scenario_file(f"start: {{gear: low, speed: {speed}}}")
+        assert [doubt.id for doubt in file.doubts if "speed" in doubt.message] == told
+
+
 def test_a_start_speed_of_an_input_with_a_road_can_be_a_vehicle_speed() -> None:
     """Source of the case, a car on a slope: github.com/osrf/drcsim/issues/109."""
     case = b"links: [wheel]\ninertias: {wheel: 194}\ngears: {'1': []}\n"

@@ -45,6 +45,14 @@ def test_a_number_is_named_as_the_case_names_it() -> None:
         assert target(text, CASE) == (name, owner, quantity)
 
 
+@pytest.mark.parametrize("number", ["damping", "stiffness", "points", "friction"])
+def test_a_spring_with_points_is_found_although_it_cannot_vary(number: str) -> None:
+    arc = Spring({1: 1, 4: -1}, points=((-1.0, -9.0), (1.0, 9.0)), damping=4.0, name="arc")
+    case = CASE.replace(springs=[*CASE.springs, arc])
+    with pytest.raises(ReadError, match="`arc` has no constant `stiffness`, so its numbers cannot"):
+        target(f"arc.{number}", case)
+
+
 def assert_told(column: int, words: str, vary: str, out: str) -> None:
     """Check the one problem of a sweep: its place in `vary`, or else in `out`, and its words."""
     with pytest.raises(ReadError) as caught:
@@ -72,6 +80,7 @@ def test_what_is_wrong_is_told_with_its_column() -> None:
         ("tyre=1", 1, "or an elastic component, then `.stiffness`, `.compliance` or `.damping`; o"),
         ("tyre=1", 1, "link, then `.inertia`; did you mean `tyre"),
         ("tyre.stiffness=0:x:3", 18, "read `x`, expected a number"),
+        ("tyre.stiffness [kN*m/rad]=4", 6, "expected `stiffness`, `compliance` or `damping` in SI"),
     ):
         assert_told(column, words, text, "omega[1,1]")
     for out, column, words in (

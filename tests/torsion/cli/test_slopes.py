@@ -43,6 +43,15 @@ def test_a_torque_is_that_of_the_slope_and_has_its_unit() -> None:
     assert said("modes", "--torque", "5 rpm", text=DAMPER).is_wrong_use("read '5 rpm'")
 
 
+def test_gears_with_an_equal_slope_share_its_note() -> None:
+    """The damper carries the torque of the input in each gear, and of the load of the last one."""
+    gears = "gears: {a: [], b: [], c: {load: {torque: 45 N*m}}}"
+    notes = [line for line in said("modes", text=DAMPER + gears).err.splitlines() if "note" in line]
+    assert [note.partition("points: ")[2] for note in notes] == [
+        "gears a and b: 300 N*m/rad at 20 N*m", "gear c: 600 N*m/rad at 45 N*m",
+    ]  # fmt: skip
+
+
 CONVERTER = """\
 links: [engine, pump, turbine]
 inertias: {engine: 0.9, pump: 0.25, turbine: 3}

@@ -188,6 +188,29 @@ def test_springs_that_hold_the_input_in_statics_let_it_vibrate(kind: str, tmp_pa
     assert "gears free and both: tied up" in stuck.err
 
 
+CONVERTER = """
+links: [engine, turbine, hub, wheels]
+load: {speed: 2000 rpm, torque: 80 N*m}
+shift_elements: {A: [turbine, hub], L: [engine, turbine]}
+mechanisms: {TC: {kind: converter, first: engine, second: turbine, points: POINTS}}
+inertias: {engine: 0.15, turbine: 0.05, hub: 0.1, wheels: 9}
+springs: {shaft: {links: [hub, wheels], stiffness: 14000}}
+gears: {N: {engaged: [], kind: neutral}, slip: {engaged: [A], slip: {L: 50 rpm}}, "1": [A]}
+""".replace("POINTS", "[[0, 2.2, 0.0022], [0.8, 1.15, 0.0016], [1, 1, 0]]")
+
+
+@pytest.mark.parametrize("kind", ["campbell", "response"])
+def test_behind_a_converter_a_neutral_gear_and_a_slip_vibrate_like_others(
+    kind: str, tmp_path: Path
+) -> None:
+    """By hand: sqrt(14000 (1/9 + 1/J)) has 59.88 Hz for the hub, 49.03 Hz with the turbine."""
+    call = ("plot", "-", "-k", kind, "-o", tmp_path / "a.svg")
+    assert vstatics(*call, stdin=CONVERTER.encode())[::2] == (0, "")
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    titles = ["mode 1, gear N: 59.88 Hz", "mode 1, gear slip, 1: 49.03 Hz"]
+    assert kind != "campbell" or all(title in text for title in titles)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_what_is_missing_is_said(
     kind: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path

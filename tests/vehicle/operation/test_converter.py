@@ -639,3 +639,26 @@ def test_a_freewheel_supplies_the_torque_that_the_pump_lacks(examples: int) -> N
         if locks:
             assert (at.speed_ratio[0, 0], at.ratio[0]) == (1, 3)
             assert not at.messages
+
+
+def test_a_freewheel_behind_the_turbine_leaves_its_drag_to_the_engine() -> None:
+    """The pump takes lambda w^2 (1.38) and gives 2 N*m to a turbine that turns with the wheels."""
+    case = loads("""
+    links: [engine, turbine, mid, wheels]
+    shift_elements: {F: {kind: freewheel, links: [mid, turbine]}}
+    mechanisms:
+      TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 4e-3], [1, 1, 0]]}
+      final: {first: mid, second: wheels, ratio: 8}
+    gears: {"1": []}
+    load: {speed: 2000 rpm, torque: 100 N*m}
+    drag: {turbine: 2 N*m}
+    vehicle: {mass: 1450 kg, radius: 0.3, engine: [[80, 140], [600, 170]]}
+    """)
+    trace = read_trace(b"time [s],speed [m/s]\n0,6\n1,6\n2,3\n", "t.csv")
+    steps = drive(case, trace, GearChoice()).steps
+    for step, turbine in enumerate([8 * 6 / 0.3, 8 * 4.5 / 0.3]):
+        i = brentq(
+            lambda i, w: (2 - i) * 4e-3 * (1 - i) * (w / i) ** 2 - 2, 0.5, 1, args=(turbine,)
+        )
+        assert steps["engine speed [rpm]"][step] * math.pi / 30 == pytest.approx(turbine / i)
+        assert steps["engine torque [N*m]"][step] == pytest.approx(2 / (2 - i))

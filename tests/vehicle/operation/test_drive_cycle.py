@@ -439,6 +439,7 @@ def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(files: Path) -> No
     assert (files / "t.csv").read_text() == TRACE_FILE
     for output, more in (("-", ()), ("both.csv", ("-o", "both.csv"))):
         assert vstatics(*command, output, *more).is_wrong_use("--time-steps and the report both go")
+    assert vstatics(*command, "cycle.png").is_wrong_use("csv is not the format of cycle.png")
     piped = vstatics(*command, "-", "-o", "report.txt")
     assert (piped.status, piped.out) == (0, (files / "steps.csv").read_text())
 

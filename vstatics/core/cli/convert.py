@@ -6,7 +6,7 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
-from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared import files, formats
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import OUTPUT, command, under
 from vstatics.core.cli.shared.problems import Telling
@@ -69,7 +69,7 @@ def convert_command(
     if wanted is None:
         raise click.UsageError(
             f"cannot determine the format of {target}: expected a suffix such as .dat, "
-            ".yaml, .json, .xlsx, or --to"
+            f".yaml, .json, .xlsx, or --to{formats.hint_of_pictures(target)}"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
     if left_out := [problem for problem in reading.warnings if problem.id == "W807"]:

@@ -221,9 +221,10 @@ def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
+    rows = matrix.rows(case, results.gear_at(number).trial_ratios)
 
     def drives(*held: int) -> bool:
-        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _rows(case, gear))
+        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), rows)
         return speeds.consistent and not is_nan(speeds.links[output])
 
     chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
@@ -556,16 +557,11 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     case, state = results.case, results.gear_at(number)
     if not state.gear.slipping:
         return
-    # The sign of a torque behind a converter does not depend on an unknown speed ratio.
-    ratios = [
-        part.points[0][0] if part.kind == "converter" and is_nan(ratio) else ratio
-        for part, ratio in zip(case.mechanisms, state.ideal.variant.ratios, strict=True)
-    ]
     slips: list[Number] = [
         state.gear.slip.get(n, 0.0) for n in range(1, len(case.shift_elements) + 1)
     ]
     ideal_gear = state.ideal._replace(speeds=state.ideal.speeds._replace(slips=slips))
-    columns, drag = matrix.columns(case, ratios), torques.NO_DRAG
+    columns, drag = matrix.columns(case, state.trial_ratios), torques.NO_DRAG
     if results.locked[number]:
         columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
     solved = torques.solve_torques(case, state.gear, columns, drag)

@@ -173,8 +173,8 @@ def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
     overrunning : sequence of int
         Numbers of freewheels that do not hold.
     """
-    case, variant = state.case, state.ideal.variant
-    if case.coasts(state.gear):
+    case, gear = state.case, state.gear._replace(speed_ratios={})  # trials include them
+    if case.coasts(gear):
         return []
     for numbers in dict.fromkeys([*((number,) for number in overrunning), (*overrunning,)]):
         elements = [
@@ -184,7 +184,7 @@ def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
             for number, element in enumerate(case.shift_elements, 1)
         ]
         exchanged = case.replace(shift_elements=elements)
-        tried = find_state(exchanged, state.gear, variant.ratios, variant.efficiencies)
+        tried = find_state(exchanged, gear, state.trial_ratios, state.ideal.variant.efficiencies)
         if tried.calculable and not is_nan(tried.output_speed):
             return [*numbers]
     return []

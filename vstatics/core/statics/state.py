@@ -33,6 +33,9 @@ from vstatics.core.statics.signs import SignSearch
 from vstatics.core.statics.status import OK, Status, statuses
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
 
+LOSSY_SPEED_RATIO = 0.01
+"""Speed ratio at which every real converter loses power. [-]"""
+
 
 class GearState(NamedTuple):
     """Speeds, torques and losses of a gear; every freewheel either holds or overruns.
@@ -99,6 +102,18 @@ class GearState(NamedTuple):
     def slip_speeds(self) -> list[Number]:
         """Slip speed of each shift element, first link minus second [-]."""
         return self.ideal.speeds.slips
+
+    @property
+    def trial_ratios(self) -> list[Number]:
+        """Ratio of each mechanism, with `LOSSY_SPEED_RATIO` for unknown speed ratios [-].
+
+        The sign of a torque behind a converter does not depend on the speed ratio.
+        """
+        ratios = zip(self.case.mechanisms, self.ideal.variant.ratios, strict=True)
+        return [
+            LOSSY_SPEED_RATIO if part.kind == "converter" and is_nan(ratio) else ratio
+            for part, ratio in ratios
+        ]
 
     @property
     def output_speed(self) -> Number:

@@ -6,10 +6,12 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+import click
+
 from vstatics.core import extras, readers
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, show_problems, unexpected
-from vstatics.core.cli.shared.documents import NO_TEXTS, no_case
+from vstatics.core.cli.shared.documents import NO_TEXTS, is_a, no_case
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, plural
 from vstatics.core.tables.grid import Grid
@@ -36,9 +38,9 @@ def read_with_case(
     ------
     ReadError
     UsageError
-        If the case would be overwritten by the output.
+        If the case would be overwritten by the output, or if scenario and case are swapped.
     """
-    document = read_scenario(data, name)
+    document = _document(data, name, case)
     text, named = case_of(document, case, output, texts)
     try:
         reading = readers.read(text, named, input_format)
@@ -52,6 +54,16 @@ def read_with_case(
         of_scenario, of_case = Document(data, name), Document(text, named)
         sampled_numbers(ScenarioNumbers(of_scenario, of_case, case_format=input_format))
     return read
+
+
+def _document(data: bytes, name: str, case: str | None) -> ScenarioDocument:
+    try:
+        return read_scenario(data, name)
+    except ReadError:
+        if case and is_a("scenario", *files.read_input(case)):
+            message = f"expected the scenario first, then the case: {case} {name}"
+            raise click.UsageError(message) from None
+        raise
 
 
 def case_of(
@@ -97,7 +109,7 @@ def read_swept_document(
     from vstatics.simulation.variants.subject import VariedScenario
     from vstatics.sweep.variants.subject import Document
 
-    of_case = Document(*case_of(read_scenario(data, name), case))
+    of_case = Document(*case_of(_document(data, name, case), case))
     subject = VariedScenario(Document(data, name), of_case, case_format=case_format)
     try:
         scenario_file = subject.own

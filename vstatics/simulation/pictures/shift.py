@@ -129,7 +129,7 @@ def _content(
     time = blank(0.0, 0.0, style).panel((0.0, 0.0), (wide, 0.0), _time(motion))
     rows = run_rows(with_rows, others[:MOST_OTHER_ROWS], motion.events, time)
     sets = element_sets(results)
-    pieces = gear_pieces(sets, motion)
+    pieces = gear_pieces(sets, motion, elements)
     between = phases(sets, motion, pieces, elements)
     unseen = [element.name for element in elements[MOST_ROWS:]]
     unseen += [name for name in others[MOST_OTHER_ROWS:] if name not in unseen]

@@ -62,6 +62,8 @@ class ScenarioFile(NamedTuple):
     reading: Reading
     """Case as read, with its warnings."""
     spots: Spots
+    without_unit: Sequence[Problem] = ()
+    """Notes about start speeds that are probably in rpm, but have no unit."""
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
         """Return the scenario with more messages suppressed."""
@@ -75,7 +77,8 @@ class ScenarioFile(NamedTuple):
     @property
     def doubts(self) -> list[Problem]:
         """Warnings and notes about the scenario, with their positions in the document."""
-        doubts = not_allowed(scenario_doubts(self.scenario), self.scenario.case.untold)
+        every = (*self.without_unit, *scenario_doubts(self.scenario))
+        doubts = not_allowed(every, self.scenario.case.untold)
         return [*map(self.locate, doubts)]
 
     @property
@@ -169,9 +172,8 @@ class ScenarioDocument(NamedTuple):
                     key=lambda problem: problem.place[1:3] if problem.place else (),
                 )
             )
-        return ScenarioFile(
-            scenario, values.get("name", ""), values.get("description", ""), samples, reading, spots
-        )
+        name, description = values.get("name", ""), values.get("description", "")
+        return ScenarioFile(scenario, name, description, samples, reading, spots, builder.doubts)
 
     def _words(self, case: Transmission) -> Vocabulary:
         """Return the names that formulas can use; `with_case` reports faults later."""

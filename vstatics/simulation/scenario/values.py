@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from vstatics.core.errors import Path, quoted
+from vstatics.core.errors import Path, Problem, quoted
 from vstatics.core.model.converters import converters_of
+from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.parts import ShiftElement
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.core.model.transmission import Transmission
@@ -48,6 +49,8 @@ from vstatics.simulation.scenario.words import elastic_names
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 Turning = Callable[[float], float]
 """Function from vehicle speed [m/s] to the speed of a link [rad/s]."""
+FASTEST_WITHOUT_UNIT = 1000.0
+"""Largest speed without a unit that is not likely to be in rpm: 9,549 rpm. [rad/s]"""
 _STRAIGHT = ", since the link moves straight"
 
 
@@ -65,6 +68,7 @@ class ScenarioValues:
         self.case = case
         self.spots = spots
         self.turning: dict[int, Turning] = dict.fromkeys(case.masses, float)
+        self.doubts: list[Problem] = []
 
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
         """Return the scenario described by the values of a document."""
@@ -183,9 +187,9 @@ class ScenarioValues:
             link = self.case.gear_input(self.case.gears[self.case.gear_number(gear or "") - 1])
         return Start(
             gear,
-            self._speed(values.get("speed", 0.0), link, ("start", "speed")),
+            self._start_speed(values.get("speed", 0.0), link, ("start", "speed")),
             {
-                link: self._speed(speed, link, ("start", "speeds", link))
+                link: self._start_speed(speed, link, ("start", "speeds", link))
                 for link, speed in values.get("speeds", {}).items()
             },
             tuple(values.get("engaged", ())),
@@ -207,6 +211,12 @@ class ScenarioValues:
                 for link, angle in values.get("angles", {}).items()
             },
         )
+
+    def _start_speed(self, given: Any, link: int, path: Path) -> float:
+        is_turning = link not in self.case.masses and not getattr(given, "measure", None)
+        if is_turning and given > FASTEST_WITHOUT_UNIT:
+            self.doubts.append(no_unit(given, "rad/s", "most engines", path))
+        return self._speed(given, link, path)
 
     def _speed(self, given: Any, link: int, path: Path) -> float:
         """Return a speed of a link [rad/s]; a vehicle speed is converted to a wheel speed."""

@@ -12,7 +12,7 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.formats import FormatChoice
+from vstatics.core.cli.shared.formats import FormatChoice, hint_of_pictures
 from vstatics.core.cli.shared.options import (
     INPUT,
     PROCESSING,
@@ -254,7 +254,7 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         (
             form is None and not to_stream,
             f"cannot determine the format of {options.output}: expected a suffix of "
-            f"{' '.join(known(FORMATS))}, or --format",
+            f"{' '.join(known(FORMATS))}, or --format{hint_of_pictures(str(options.output))}",
         ),
     )
     return form or "csv"

@@ -112,8 +112,10 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
             quantity for quantity, owner in known.items() if len(_indices(name, owner, case)) == 1
         ]
         if not expected:
-            raise refusal(_not_one(name, next(iter(known)), case), place, begin)
+            of_part = [quantity for quantity, owner in known.items() if _called(name, owner, case)]
+            raise refusal(_not_one(name, (of_part or [*known])[0], case), place, begin)
         message = f"read {shown(read)}, expected {spoken(map(quoted, expected), 'or')}"
+        message += " in SI units" * ("[" in read)
         raise refusal(message + nearest(read, [*expected, *ALIASES]), place, at)
     quantity = NAMES[read]
     rows = _indices(name, OWNERS[quantity], case)
@@ -196,7 +198,10 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
         what = _WORDS_OF_OWNERS[owner].replace("an elastic", "a")
         return f"read {shown(name)}, expected the number of {what}, #1 to #{len(names)}"
     if owner == "devices" and (called or numbered):
-        return f"{quoted(name)} has no `stiffness` in the case: give it one, so that it can vary"
+        lacks = "`stiffness` in the case: give it one, so that it can vary"
+        if name in [spring.name for spring in case.springs]:
+            lacks = "constant `stiffness`, so its numbers cannot vary"
+        return f"{quoted(name)} has no {lacks}"
     if called:
         return several(name, called, names, owner)
     if owner == "devices":

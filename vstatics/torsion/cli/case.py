@@ -13,7 +13,7 @@ from vstatics.core.cli.shared import formats
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.cli.shared.values import FILE, torque, value, wrong_value
-from vstatics.core.errors import Problem, listed
+from vstatics.core.errors import Problem, listed, plural, spoken
 from vstatics.core.model.checks import notes_on_vibration
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
@@ -226,11 +226,18 @@ def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem
     from vstatics.torsion.system.slopes import spring_slopes
 
     doubts = ((working.gear.name, text) for working in gears for text in working.doubts)
+    equal: dict[tuple[int, str], list[str]] = {}
+    for case, gear, *_ in gears:
+        for slope in spring_slopes(case, gear):
+            equal.setdefault((slope.number, str(slope)), []).append(gear.name)
     notes = [
         reading.locate(
-            Problem("N506", f"gear {gear.name}: {slope}", ("springs", slope.number, "points"))
+            Problem(
+                "N506",
+                f"{plural('gear', len(names))} {spoken(names)}: {slope}",
+                ("springs", number, "points"),
+            )
         )
-        for case, gear, *_ in gears
-        for slope in spring_slopes(case, gear)
+        for (number, slope), names in equal.items()
     ]
     return [*located(reading, doubts, "W431"), *notes]

@@ -3,13 +3,13 @@
 The speed of the pump follows from the load and the speeds of the gear. If a speed ratio is given,
 the torque that the pump then takes determines the input torque. Otherwise the speed ratio is the
 ratio at which the pump takes the torque of the load. If other components connect pump and turbine,
-such as a lock-up clutch, they determine the speed ratio.
+such as a lock-up clutch, they determine the speed ratio. In neutral, a converter carries nothing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
@@ -137,7 +137,12 @@ class _WorkingPoints:
                 # The clutch carries the torque that the pump does not take, without vibration.
                 self.gear, self.at_slip, self.driving = self.gear._replace(slip={}), alone, []
         unknown = [converter for converter in self.closed if converter.name not in ratios]
-        if len(unknown) == 1 and self.at_slip is None:
+        if unknown and self._is_neutral(ratios, unknown):
+            self.filled, self.closed = (
+                [converter for converter in converters if converter not in unknown]
+                for converters in (self.filled, self.closed)
+            )
+        elif len(unknown) == 1 and self.at_slip is None:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
             raise self._unknown(
@@ -183,6 +188,11 @@ class _WorkingPoints:
             mesh.name: mesh.ratio for mesh in self.case.mechanisms if not math.isnan(mesh.ratio)
         }
         return known | {self.names[n - 1]: i for n, i in self.gear.speed_ratios.items()}
+
+    def _is_neutral(self, ratios: Ratios, unknown: Iterable[Converter]) -> bool:
+        """Return whether the gear has no ratio, so that its converters carry nothing."""
+        trial = dict.fromkeys((converter.name for converter in unknown), 1.0)
+        return bool(np.isnan(solve(self._case_at({**trial, **ratios})).ratio[0]))
 
     def _case_at(self, ratios: Ratios) -> Transmission:
         of_case = self.opened.mechanisms[self.opened.own_mechanisms]

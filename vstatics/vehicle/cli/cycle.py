@@ -20,10 +20,11 @@ from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gat
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.errors import CaseError, Problem, of_file
-from vstatics.core.jobs.files import STDOUT
+from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
+from vstatics.core.tables.file_suffixes import mismatch
 from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.case.vehicle import Vehicle
 
@@ -161,6 +162,8 @@ def cycle_command(
         where = "standard output" if steps == STDOUT else steps
         message = f"--time-steps and the report both go to {where}"
         raise click.UsageError(f"{message}; expected another file, as in `-o report.txt`")
+    if steps and not is_stream(steps) and (message := mismatch("csv", steps)):
+        raise click.UsageError(f"--time-steps: {message}")
     arguments.check_streams([case, trace])
     arguments.check_order(case, trace)
     from vstatics.vehicle.operation.trace import read_trace

@@ -17,6 +17,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.converter import (
     FASTEST_OF_SEARCH,
@@ -25,6 +26,7 @@ from vstatics.vehicle.operation.converter import (
     EngineSearch,
     relative_slips,
 )
+from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
 
 
 class ConverterSteps(NamedTuple):
@@ -88,12 +90,44 @@ class ConverterSteps(NamedTuple):
             If no speed ratio fits a step.
         """
         speeds, torques = self.load
+        return self._settled(self._search_of_wheels(torques), speeds * torques >= 0)
 
-        def brought(rows: Integers, engine: Floats) -> Floats:
-            return self._brought(1, rows, (speeds[rows], torques[rows]), engine)
+    def _search_of_wheels(self, torques: Floats) -> EngineSearch:
+        speeds, _ = self.load
+        return self._search(
+            lambda rows, engine: self._brought(1, rows, (speeds[rows], torques[rows]), engine)
+        )
 
-        are_braking = speeds * torques >= 0
-        return self._settled(self._search(brought), are_braking)
+    def _torques_at(self, rows: Integers, engine: Floats) -> Floats:
+        """Return engine torques that supply the torque of the pump; NaN without one [N*m]."""
+        return self.converter.torque_at(
+            engine,
+            self._output[rows],
+            lambda part, torque: self._from_engine(rows[part], engine[part], torque),
+        )
+
+    def _at_open_freewheels(
+        self, rows: Integers, engine: Floats, torques: Floats
+    ) -> tuple[Integers, Floats]:
+        """Return the steps in which the pump takes less than it gets, and better engine speeds.
+
+        In these steps the wheels overrun a freewheel, and do not drive the turbine. Its drag needs
+        more torque than the pump takes at the free ratio, so the speed ratio is smaller. It is
+        found with the force at which the freewheel carries no torque. Speeds are in rad/s.
+        """
+        taken, direction = self.converter.taken(engine, self._output[rows])
+        excess = direction * (self._from_engine(rows, engine, torques) - taken)
+        part = np.flatnonzero(excess > SAME_ENGINE_TORQUE)
+        rows, engine, torques = rows[part], engine[part], torques[part]
+        if not rows.size:
+            return rows, engine
+        ratios = self.converter.ratio(engine, self._output[rows])
+        vary = {"load.speed": engine, "load.torque": torques, self.converter.path: ratios}
+        driven = solve(self.cases[0], vary=vary | self._further(0, rows, engine))
+        least = self.load[1].copy()
+        least[rows] = -driven.lossy_output_torque_Nm[:, 0]
+        speeds = self._search_of_wheels(least).engine[rows]
+        return rows, np.where(np.isnan(speeds), engine, speeds)
 
     def at_overrun(self) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s] and torques [N*m] if the engine brakes by overrun torque.
@@ -133,11 +167,9 @@ class ConverterSteps(NamedTuple):
         held = np.flatnonzero(np.isnan(engine) & (is_strong | is_free))
         engine[held] = np.where(is_free, freest, search.ends[:, 0])[held]
         held = held[np.isfinite(engine[held])]
-        torques[held] = self.converter.torque_at(
-            engine[held],
-            self._output[held],
-            lambda rows, torque: self._from_engine(held[rows], engine[held[rows]], torque),
-        )
+        torques[held] = self._torques_at(held, engine[held])
+        opened, speeds = self._at_open_freewheels(held, engine[held], torques[held])
+        engine[opened], torques[opened] = speeds, self._torques_at(opened, speeds)
         lacking = np.isnan(engine)
         lacking[held] = np.isnan(torques[held])
         if lacking.any():

@@ -68,6 +68,7 @@ REFUSED = {
     f"plot {MZKT} {ZF} {MZKT} --kind plan -o new.pdf": "give a directory (new/)",
     f"plot {MZKT} --kind plan -o new.gif": "expected .svg .png .pdf",
     f"sweep {MZKT} --vary D1.ratio=-2 -o new.txt": "cannot determine the format of new.txt",
+    f"sweep {MZKT} --vary D1.ratio=-2 -o new.png": "or --format; `vstatics plot` draws pictures",
     f"convert {MZKT} new.txt": "cannot determine the format of new.txt",
     f"run {MZKT} -f json -o new.csv": "-f json is not the format of new.csv",
     f"flow {MZKT} -f json -o new.txt": "expected .json",

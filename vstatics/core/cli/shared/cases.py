@@ -267,7 +267,7 @@ class CaseOptions(NamedTuple):
     of_runs: bool = False
     """True if the output concerns a run of a scenario. Faulty gears are then not failures."""
     of_vibration: bool = False
-    """True if the output concerns vibration. Converters without a speed ratio then slip freely."""
+    """True if the output concerns vibration. Gears that can vibrate are then not failures."""
 
     load: Load | None = None
     """Operating point for a case that has none."""
@@ -434,7 +434,7 @@ def case_in_steps(
             reading = reading.allowing(settings.telling.allow)
         locate = reading.locate
         yield
-        results = _solved(reading, settings, opens=settings.of_vibration or is_run)
+        results = _solved(reading, settings, is_run=is_run)
         yield
         results = explained(results)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
@@ -466,8 +466,10 @@ def _vibrates(case: Transmission) -> bool:
         return False
 
 
-def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
-    """Return the results of a case; with `opens`, converters without a speed ratio slip freely.
+def _solved(reading: Reading, settings: CaseOptions, *, is_run: bool) -> Results:
+    """Return the results of a case, in a run with converters that slip freely.
+
+    For vibration, they also slip freely if the load does not determine their speed ratios.
 
     Raises
     ------
@@ -478,10 +480,12 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 
     case = reading.case
     try:
-        if opens:
+        if is_run or settings.of_vibration:
+            from vstatics.core.model.laws import of_sought_ratios
             from vstatics.core.model.open_converters import with_needed_ratios
 
-            case = with_needed_ratios(case)
+            if is_run or any(of_sought_ratios(case)):
+                case = with_needed_ratios(case)
         if settings.load and case.depends:
             from vstatics.core.model.laws import with_load
 

@@ -32,8 +32,10 @@ STREAMS = ("jsonl", "parquet")
 """Formats with all cases in a single file, which --resume can continue."""
 
 
-def _hint_of_pictures() -> str:
-    """Return a hint to the command that draws pictures, with the kind for the present command."""
+def hint_of_pictures(file: str) -> str:
+    """Return a hint to `plot` for a file that has the suffix of a picture, else an empty text."""
+    if suffix_of(file) not in known(PICTURES):
+        return ""
     context = click.get_current_context(silent=True)
     kind = picture_kind_of(context.command_path.split() if context else ())
     return f"; `vstatics plot{f' --kind {kind}' * bool(kind)}` draws pictures"
@@ -120,8 +122,7 @@ class OutputOptions(NamedTuple):
             plain = ", or none for text" if self.formats[0] in ("text", "listing") else ""
             folder = "; a directory ends with /" if several else ""
             message = f"no format has this suffix here: expected {expected}{plain}{folder}"
-            message += _hint_of_pictures() * (suffix in known(PICTURES))
-            raise click.UsageError(f"{output}: {message}")
+            raise click.UsageError(f"{output}: {message}{hint_of_pictures(output)}")
         if form_of_suffix and (message := mismatch(form, output)):
             raise click.UsageError(f"-f {message}")
         if form is None and suffix:

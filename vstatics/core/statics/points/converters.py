@@ -39,6 +39,7 @@ from vstatics.core.statics.points.relative import solve_points
 from vstatics.core.statics.points.roots import Follow, Roots, find_roots
 from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
+from vstatics.core.statics.state import LOSSY_SPEED_RATIO
 
 LEAST_TRIALS = 65
 """Smallest number of trial speed ratios in the grid."""
@@ -46,8 +47,6 @@ MOST_SPEED_RATIOS = 16
 """Largest number of sign changes of the surplus in which a speed ratio is searched for."""
 ROUNDED = 16 * EPSILON
 """Relative difference of the torques on a pump that is attributed to rounding. [-]"""
-LOSSY_SPEED_RATIO = 0.01
-"""Speed ratio at which every real converter loses power. [-]"""
 TRIALS = 0.382, 0.618
 """Trial speed ratios for gears without a solution, from 0 (first point) to 1 (last point). [-]"""
 NO_RATIO, NO_TORQUE = 6, 7

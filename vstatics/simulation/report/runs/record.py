@@ -139,7 +139,9 @@ def _data(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
         "links": links,
         "elements": elements,
         "panels": [_panel(panel, motion, numbers, columns) for panel in shown],
-        "gears": gear_pieces(element_sets(results), motion),
+        "gears": [
+            piece[:3] for piece in gear_pieces(element_sets(results), motion, element_states)
+        ],
         "events": [*map(_event, motion.events)],
         "words": {word: tr(word) for word in WORDS},
     }
