@@ -108,7 +108,8 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             hint = "; omit all rows with speed 0 or torque 0" if value == 0 else ""
-            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}{hint}")
+            read = f"{value * 100:g} %" if heads[-1].unit == "%" else f"{value:g}"
+            raise ValueError(f"line {line}: read {read}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
