@@ -11,7 +11,7 @@ from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
-from vstatics.core.errors import Path, Problem, percent, quoted, spoken
+from vstatics.core.errors import Path, Problem, count_of, percent, quoted, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -233,8 +233,9 @@ def _of_map(  # noqa: PLR0913
     for number, row in enumerate(rows, 1):
         place = (*path, "rows", number)
         if len(row) != len(columns) + 1:
-            message = f"read {len(row)} numbers, expected {len(columns) + 1}: the speed, and a "
-            yield Problem("E266", f"{message}value for each of the `columns`", place)
+            message = f"read {count_of('number', len(row))}, expected {len(columns) + 1}"
+            more = "the speed, and a value for each of the `columns`"
+            yield Problem("E266", f"{message}: {more}", place)
         for column, value in enumerate(row[1:], 2):
             if not low <= value <= high or not math.isfinite(value):
                 is_idle = value == 0 in (row[0], columns[column - 2])

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import ReadError, count_of
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.headings import SHAFT_COLUMNS, TableColumn
@@ -87,8 +87,8 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
     fuel[row, column] = table.numbers["fuel"]
     if len(row) != fuel.size or np.isnan(fuel).any():
         message = (
-            f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
-            "one row for each pair"
+            f"read {count_of('row', len(row))} for {count_of('speed', len(speeds))} and "
+            f"{count_of('torque', len(torques))}, expected one row for each pair"
         )
         raise ReadError("E123", message, place=table.head_place)
     if (fuel < 0).any():
