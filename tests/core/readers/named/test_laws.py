@@ -97,6 +97,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
         ("[[0, -1]]", "1", "read -1, expected a torque of 0 or more"),
         ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
         ("0", "{over: speed}", "`points` is missing"),
+        ("0", "{over: speed, points: 3}", "expected a list: [[speed, efficiency], ...]"),
         ("0", "{over: torque, points: [[0, .9], [1, 1.1]]}", "read 1.1, expected an efficiency"),
         ("0", "{over: torque, points: []}", "read no points"),
     ],
