@@ -76,9 +76,11 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
     (tmp_path / "drag.csv").write_text(text, "utf-8")
     with rejects(ReadError, "case.yaml:3:", " error: drag.b: ", said):
         load(case_of(tmp_path, "{file: drag.csv}"))
-    (tmp_path / "map.csv").write_text("speed,torque,efficiency\nrpm,N*m,%\n0,5,9650\n", "utf-8")
-    with rejects(ReadError, "`map.csv`, line 3: read 9650 %, expected an efficiency above 0"):
-        load(case_of(tmp_path, efficiency="{over: [speed, torque], file: map.csv}"))
+    for row, told in {"0,5,9650": "9650 %, expected an efficiency", "-9,5,96": "-9 rpm"}.items():
+        text = f"speed,torque,efficiency\nrpm,N*m,%\n{row}\n"
+        (tmp_path / "map.csv").write_text(text, "utf-8")
+        with rejects(ReadError, f"`map.csv`, line 3: read {told}"):
+            load(case_of(tmp_path, efficiency="{over: [speed, torque], file: map.csv}"))
     with pytest.raises(ReadError, match=r"read `none.csv`, which cannot be read: No such file"):
         load(case_of(tmp_path, "{file: none.csv}"))
 

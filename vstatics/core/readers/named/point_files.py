@@ -106,6 +106,9 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(heads, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
+        if speed < 0:
+            read = _point(heads, speed)
+            raise ValueError(f"line {line}: read {read}, expected 0 or more: magnitudes count")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             hint = "; omit all rows with speed 0 or torque 0" if value == 0 else ""
             read = f"{value * 100:g} %" if heads[-1].unit == "%" else f"{value:g}"
