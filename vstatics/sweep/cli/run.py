@@ -11,7 +11,7 @@ from vstatics.core.cli.shared.cases import outside_notes, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
-from vstatics.core.errors import Problem, count_of, not_allowed, of_file, quoted, spoken
+from vstatics.core.errors import Problem, count_of, not_allowed, of_file, plural, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import Noticed
@@ -141,14 +141,15 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {finished_before} of them before" if finished_before else ""
     rows = count_of("row", report.rows)
-    variants = count_of(what.removesuffix("s"), report.variants)
+    unit = what.removesuffix("s")
+    variants = count_of(unit, report.variants)
     if run.plan.by_gear:
         variants += f", {run.plan.count // run.plan.variants.count} in each variant"
-    rate = (report.variants - finished_before) / max(seconds, 1e-9)
+    rate = float(f"{(report.variants - finished_before) / max(seconds, 1e-9):.3g}")
     if reasons or not run.quiet:
         files.say(
             f"{output}: {rows} of {variants}{unlike}{before}; "
-            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} {what} a second"
+            f"{seconds:.3g} s, {rate:,.0f} {plural(unit, round(rate))} a second"
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
