@@ -46,14 +46,6 @@ def test_unreadable_results_of_directories_are_counted(form: str) -> None:
     assert [problem.id for problem in verdict.cases[0].problems] == ["E110"]
 
 
-def test_a_single_ratio_that_differs_is_counted_in_the_singular() -> None:
-    for ratio in (2, 3):
-        text = f"links: [a, b]\nmechanisms: {{p: {{first: a, second: b, ratio: {ratio}}}}}\n"
-        Path(f"{ratio}.yaml").write_text(f"{text}gears: {{g: []}}\n", "utf-8")
-        results(f"{ratio}.json", f"{ratio}.yaml")
-    assert lines("3.json", "2.json")[0] == "3: 1 change of the case; 1 of 1 ratio differs"
-
-
 @pytest.mark.parametrize("form", [*FORMS, "lst"])
 def test_cases_of_one_file_name_are_paired_by_their_folders(form: str) -> None:
     """In any order, and from wherever they were named."""
