@@ -382,11 +382,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", ":1:1: error: the trace has no column `gear`"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", "`gear`, `selected gear`, `gear number` or"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:26: error: fuel: read the unit 'kg'"),
-        (
-            "fuel.csv",
-            f"{TORQUE} [g/h]\n0,0,-1\n",
-            "fuel.csv:2:1: error: fuel: read -1, expected 0 or more",
-        ),
+        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1, expected 0 or more"),
         ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
     ):
         right = (files / file).read_text()
