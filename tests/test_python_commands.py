@@ -83,6 +83,8 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     assert told.place is not None
     assert told.place.file == "run.yaml"
     assert "user1" not in commands.vstatics("simulate", "run.yaml").err
+    Path("run.yaml").write_text("{case: run.yaml, duration: 1}", "utf-8")
+    assert vstatics.check("run.yaml")[0].message.endswith(" is not a case: it is a scenario")
 
 
 def test_a_transmission_says_what_it_takes() -> None:

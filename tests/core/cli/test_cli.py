@@ -92,6 +92,7 @@ WRONG = dict.fromkeys(
     f"convert {DIFFERENTIAL} -o a.json": "No such option '-o': expected `convert IN OUT`.",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
+    f"flow {MZKT} --gear 1,3": "expected an option for each gear: --gear 1 --gear 3",
     f"explain {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     "synth box": "'--sets'. Expected --sets N, or --keep CASE instead.",
     f"report {DIFFERENTIAL}": "Expected --output FILE, or --watch instead.",

@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from tests.core.writers.result_cases import NAMED, table
-from vstatics import Gear, Mechanism, Results, Transmission, solve
+from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
+from vstatics.core.model.laws import PointLaw
 from vstatics.core.readers import read
 from vstatics.core.writers import listing
 
@@ -28,6 +29,9 @@ def test_what_does_not_exist_is_asterisks_of_the_width(several: Results) -> None
     """Nothing is engaged in the last gear: only the input's speed, 1, is known."""
     text = listing.write(several)
     column = [line.split()[-1] for line in table(text, "(W(I,J),J=1,NP),I=1,KJG:")]
+    law = PointLaw([(0, 0.9), (100, 0.95)])
+    lossy = Transmission(2, [], [Mechanism(1, 2, 0, -2.5, law)], [Gear()], load=Load(1000, 50))
+    assert "ETAI(I),I=1,KG:\n**********\n" in listing.write(solve(lossy))
     assert column == ["1.000", "*******", "*******", "*******"]
     assert table(text, "(IX(I,J),J=1,NP),I=1,KG:")[0].split()[-1] == "***"
 

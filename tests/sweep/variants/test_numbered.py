@@ -67,6 +67,7 @@ def test_what_does_not_go_together() -> None:
             made(variations([1], []))
     first, second = problems_of(Zip, "D1.ratio=1,2", "2.ratio=1:2:3", "D1.efficiency=1")
     assert first.message.startswith("D.2=x.ratio has 3 values, but D1.ratio has 2: pairs need")
+    assert second.message.startswith("D1.efficiency has 1 value, but D1.ratio has 2: pairs")
     assert second.place == Place("--vary", 1, 1, "D1.efficiency=1")
 
 

@@ -383,7 +383,7 @@ def test_fuel_is_bilinear() -> None:
     w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
     np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
-    with pytest.raises(ReadError, match="expected one row for each pair"):
+    with pytest.raises(ReadError, match="for each pair; there is no row for 500 rad/s and 100"):
         read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
     with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
         read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
@@ -404,7 +404,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", ":1:1: error: the trace has no column `gear`"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", "`gear`, `selected gear`, `gear number` or"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:26: error: fuel: read the unit 'kg'"),
-        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", "fuel.csv:2:1: error: fuel: expected 0 or more"),
+        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1, expected 0 or more"),
         ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
     ):
         right = (files / file).read_text()

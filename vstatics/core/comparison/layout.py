@@ -31,8 +31,8 @@ def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
     >>> from vstatics.core.comparison.numbers import Difference
     >>> ratio = Difference("ratio", "", "R", -3.343, -3.297)
-    >>> print(*text(CaseVerdict("box", "changed", None, [ratio], {"ratio": 9})), sep="\\n")
-    box: 1 of 9 ratios differ
+    >>> print(*text(CaseVerdict("box", "changed", None, [ratio], {"ratio": 1})), sep="\\n")
+    box: 1 of 1 ratio differs
       ratio       R  -3.297 -> -3.343  -1.40 %
     """
     rows, further = _rows(verdict, all_numbers=all_numbers)

@@ -103,25 +103,29 @@ class CaseVerdict(NamedTuple):
         if "case" in tables:
             [failure] = self.differences
             return f"{self.name}: {failure.actual}, expected {failure.expected}"
+        forms = "{{number}} of {{count}} {0}|{{number}} of {{count}} {1}"
         numbers = [
-            tr(f"{{number}} of {{all}} {PLURALS[table]}", number=tables.count(table), all=count)
+            tr(forms.format(table, PLURALS[table]), number=tables.count(table), count=count)
             for table, count in self.counts.items()
             if table in tables
         ]
         others = len(tables)
         summary = tr("no number differs")
         if numbers:
-            summary = tr("{numbers} differ", numbers=", ".join(numbers))
+            count = sum(table in self.counts for table in tables)
+            summary = tr(
+                "{numbers} differs|{numbers} differ", numbers=", ".join(numbers), count=count
+            )
         elif others:
             summary = tr("{count} other number differs|{count} other numbers differ", count=others)
         elif self.differs:
             summary = tr("no number differs, but gears are not the same")
         if self.changes is None:
             return f"{self.name}: {summary}"
-        count = tr("no change of the case")
+        changed = tr("no change of the case")
         if changes := len(self.changes):
-            count = tr("{count} change of the case|{count} changes of the case", count=changes)
-        return f"{self.name}: {count}; {summary}"
+            changed = tr("{count} change of the case|{count} changes of the case", count=changes)
+        return f"{self.name}: {changed}; {summary}"
 
 
 @json_keys("same", "changed", "added", "gone", "cases", unreadable="some_unreadable")

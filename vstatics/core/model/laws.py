@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -10,7 +11,7 @@ from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
-from vstatics.core.errors import Path, Problem, percent, spoken
+from vstatics.core.errors import Path, Problem, count_of, percent, quoted, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -168,10 +169,23 @@ def of_law(  # noqa: PLR0913
     Values of a formula are checked later, at the operating point. Torques below 0 need `signed`.
     """
     if isinstance(law, MapLaw):
-        yield from _of_map(law, path, low=low, high=high, what=what, signed=signed)
+        problems = _of_map(law, path, low=low, high=high, what=what, signed=signed)
     elif isinstance(law, PointLaw):
         inner = (*path, "points") if path[-1] in ("efficiency", "back_efficiency") else path
-        yield from _of_points(law, inner, low=low, high=high, what=what)
+        problems = _of_points(law, inner, low=low, high=high, what=what)
+    else:
+        return
+    for problem in problems:
+        yield _in_file(problem, law, path) if law.file else problem
+
+
+def _in_file(problem: Problem, law: Law, path: Path) -> Problem:
+    """Return a problem at a law, with the name of its file and the line of the point, if any."""
+    line = ""
+    if law.lines and len(problem.path) > len(path):
+        line = f", line {law.lines[int(problem.path[len(path)]) - 1]}"
+    file = quoted(os.path.basename(law.file))  # noqa: PTH119 (pathlib costs start-up time)
+    return problem._replace(path=path, message=f"read {file}{line}: {problem.message}")
 
 
 def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
@@ -219,8 +233,9 @@ def _of_map(  # noqa: PLR0913
     for number, row in enumerate(rows, 1):
         place = (*path, "rows", number)
         if len(row) != len(columns) + 1:
-            message = f"read {len(row)} numbers, expected {len(columns) + 1}: the speed, and a "
-            yield Problem("E266", f"{message}value for each of the `columns`", place)
+            message = f"read {count_of('number', len(row))}, expected {len(columns) + 1}"
+            more = "the speed, and a value for each of the `columns`"
+            yield Problem("E266", f"{message}: {more}", place)
         for column, value in enumerate(row[1:], 2):
             if not low <= value <= high or not math.isfinite(value):
                 is_idle = value == 0 in (row[0], columns[column - 2])

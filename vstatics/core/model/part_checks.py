@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Path, Problem, percent
+from vstatics.core.errors import Path, Problem, count_of, percent
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -158,7 +158,7 @@ def _of_temperatures(
             yield Problem("E262", message, (*here, number))
     for number, row in enumerate(table.rows, 1):
         if len(row) != len(table.columns) + 1:
-            message = f"read {len(row)} numbers, expected {len(table.columns) + 1}"
+            message = f"read {count_of('number', len(row))}, expected {len(table.columns) + 1}"
             more = "the slip, and a coefficient for each temperature"
             yield Problem("E263", f"{message}: {more}", (*path, "rows", number))
 

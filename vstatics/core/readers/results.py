@@ -141,7 +141,8 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
             tables[quantity.name] = figures
     if not tables:
         raise no_result(_no_tables(document, number), file, line)
-    if document.get("format") == FORMAT and [*document] == sorted(document):
+    mappings = [part for part in (document, document.get("case")) if isinstance(part, dict)]
+    if document.get("format") == FORMAT and any([*part] == sorted(part) for part in mappings):
         raise no_result(f"result {number} {_SORTED}", file, line)
     case = _case(json.dumps(document.get("case")), "json")
     given_rows = document.get("rows")

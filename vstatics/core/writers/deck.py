@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import nan
 from typing import TYPE_CHECKING, Any
 
-from vstatics.core.model.parts import element_name, mechanism_name
+from vstatics.core.model.parts import Law, element_name, mechanism_name
 from vstatics.core.model.transmission import SpeedOf, Transmission
 from vstatics.core.readers.deck.table import FIELDS
 from vstatics.core.readers.deck.text import SPRING
@@ -141,7 +142,9 @@ def _lists(part: str, parts: Sequence[object], kind: type[float]) -> Iterator[st
             heading = f"{key}{'' if '(' in key else '(I)'},I=1,{field.size}:"
             if kind is float:
                 yield heading
-                heading, values = "", [*map(exponent, values)]
+                # A law, which depends on the operating point, has no number.
+                numbers = (nan if isinstance(value, Law) else value for value in values)
+                heading, values = "", [*map(exponent, numbers)]
             yield _row(heading, values)
 
 

@@ -243,7 +243,10 @@ def _stiffness(spring: Spring) -> list[Cell]:
     if spring.strut:
         return [_six_digits(spring.rate), word("strut")]
     if spring.points:
-        return [Cell(tr("{count} points", count=len(spring.points)), None), _six_digits(None)]
+        return [
+            Cell(tr("{count} point|{count} points", count=len(spring.points)), None),
+            _six_digits(None),
+        ]
     if spring.is_damper:
         return [_six_digits(None), _six_digits(None)]
     return [_six_digits(spring.rate), _six_digits(1 / spring.rate)]

@@ -22,7 +22,6 @@ from vstatics.core.cli.shared.values import wrong_value
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.jobs.files import STDOUT, is_stream
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.file_suffixes import known, suffix_of
@@ -159,13 +158,11 @@ def _plot_ratios(
 
     with wrong_value("--ratios"):
         case = case_of_ratios(ratios, style)
-    drawn = pages(solve(case), "plan", cast("Format", to.form), style, _gear_numbers(case, gears))
+    drawn = pages(
+        solve(case), "plan", cast("Format", to.form), style, arguments.gear_numbers(case, gears)
+    )
     files.write_pages(drawn, to.output, quiet=quiet)
     return DONE
-
-
-def _gear_numbers(case: Transmission, gears: Sequence[str]) -> list[int]:
-    return [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
 
 
 def _asked_case(
@@ -180,7 +177,7 @@ def _asked_case(
     """
     kind_options, chosen, motion = (
         picture_kinds()[asked.kind].options,
-        _gear_numbers(results.case, asked.gears),
+        arguments.gear_numbers(results.case, asked.gears),
         None,
     )
     if "motion" in kind_options and outcome.scenario is not None:

@@ -14,7 +14,7 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import CaseAnswer, show
-from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.errors import CaseError, Problem, ReadError, count_of
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.numerics.arrays import Floats
@@ -125,7 +125,7 @@ def _collected(run: SweepRun) -> Collected:
     results = joined(chunks)
     reasons = [f"{number} {status}" for status, number in results.counts.items() if status != "ok"]
     if reasons:
-        files.say(f"{count} runs, of which {' and '.join(reasons)}")
+        files.say(f"{count_of('run', count)}, of which {' and '.join(reasons)}")
     messages = tell_noticed(run, results.noticed)
     if not results.counts.get("ok"):
         files.say("no run has a result")

@@ -167,6 +167,9 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
                 for element in case.elements_at(gear.engaged)
             ]
             instead = f": instead of `gear`, write `engaged: [{', '.join(names)}]`" * bool(names)
+            freewheels = ", ".join(element.name for element in case.elements_at(case.freewheels))
+            if names and freewheels:
+                instead += f", and add freewheels that hold ({freewheels})"
             message = "read `gear` together with `speeds` or `engaged`, expected one or the other"
             yield Problem("E629", message + instead, ("start",))
         yield from _of_gear(start.gear, case, ("start", "gear"))

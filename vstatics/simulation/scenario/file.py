@@ -19,7 +19,7 @@ from vstatics.core.jobs.input_files import read_file
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers import Stream
-from vstatics.core.readers.kinds import is_foreign, kind_of
+from vstatics.core.readers.kinds import KEYS, is_foreign, is_of_kind, kind_of
 from vstatics.core.readers.named.csv_files import are_read
 from vstatics.core.readers.named.nodes import (
     DocumentText,
@@ -126,7 +126,9 @@ class ScenarioDocument(NamedTuple):
             If the file is not a case; it can be a private file of another program.
         """
         if is_foreign(data, name):
-            raise self.no_case(f"{name} is not a case: it has no key of a case")
+            kinds = (f"it is a {kind}" for kind in KEYS if is_of_kind(kind, data, name))
+            reason = next(kinds, "it has no key of a case")
+            raise self.no_case(f"{name} is not a case: {reason}")
 
     def with_case(self, reading: Reading) -> ScenarioFile:
         """Return the scenario for a case.

@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from vstatics.core.errors import listed, quoted, spoken
+from vstatics.core.errors import count_of, listed, quoted, spoken
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -324,10 +324,8 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
         wanted = words.tables[name].variables
         if count != wanted and words.tables[name] is not UNREADABLE:
             many = ("none", "one", "two")
-            raise source.error(
-                f"{name} of {count} values, expected {many[wanted]}, as in its table",
-                part.at,
-            )
+            read = f"{name} of {count_of('value', count)}"
+            raise source.error(f"{read}, expected {many[wanted]}, as in `tables.{name}`", part.at)
     else:
         expect_operands(part, source, "t")
 

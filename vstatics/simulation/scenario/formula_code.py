@@ -69,8 +69,6 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
 }
 _BROAD: Mapping[str, Callable[..., Any]] = {
     **ON_ARRAYS,
-    "min": lambda *values: reduce(np.fmin, values),
-    "max": lambda *values: reduce(np.fmax, values),
     "pow": np.power,
     "divide": np.divide,
     "number": lambda condition: np.asarray(condition, float),

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from vstatics.core.errors import Path, Problem, quoted
+from vstatics.core.errors import Path, Problem, count_of, quoted
 from vstatics.core.model.converters import converters_of
 from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.parts import ShiftElement
@@ -129,8 +129,8 @@ class ScenarioValues:
             if is_known and len(row) != len(columns) + 1 and (*path, number) not in unreadable:
                 self.spots.tell(
                     (*path, number),
-                    f"read {len(row)} numbers, expected {len(columns) + 1}: x, and a value "
-                    "for each column",
+                    f"read {count_of('number', len(row))}, expected {len(columns) + 1}: x, "
+                    "and a value for each column",
                 )
         read = [_floats(row) for row in rows if len(row) == len(columns) + 1]
         read = read or [(0.0,) * (len(columns) + 1)]

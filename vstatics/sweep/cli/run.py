@@ -11,7 +11,7 @@ from vstatics.core.cli.shared.cases import outside_notes, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, EMPTY, FAILED, stopped_by
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
-from vstatics.core.errors import Problem, count_of, not_allowed, of_file
+from vstatics.core.errors import Problem, count_of, not_allowed, of_file, plural, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import Noticed
@@ -141,18 +141,15 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {finished_before} of them before" if finished_before else ""
     rows = count_of("row", report.rows)
-    variants = (
-        "1 variant"
-        if report.variants == 1 and not run.plan.by_gear
-        else f"{report.variants} {what}"
-    )
+    unit = what.removesuffix("s")
+    variants = count_of(unit, report.variants)
     if run.plan.by_gear:
         variants += f", {run.plan.count // run.plan.variants.count} in each variant"
-    rate = (report.variants - finished_before) / max(seconds, 1e-9)
+    rate = float(f"{(report.variants - finished_before) / max(seconds, 1e-9):.3g}")
     if reasons or not run.quiet:
         files.say(
             f"{output}: {rows} of {variants}{unlike}{before}; "
-            f"{seconds:.3g} s, {float(f'{rate:.3g}'):,.0f} {what} a second"
+            f"{seconds:.3g} s, {rate:,.0f} {plural(unit, round(rate))} a second"
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
@@ -163,6 +160,9 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
         return Ended(FAILED, messages)
     if run.plan.where is not None and not report.rows:
         _print_removed(run.plan.where, report)
+    if run.plan.objectives and not report.rows and sum(report.removed) < report.variants:
+        names = spoken(quoted(objective.expression.text) for objective in run.plan.objectives)
+        files.say(f"no variant has a value of {names}")
     return Ended(EMPTY if run.fail_empty and not report.rows else DONE, messages)
 
 
@@ -177,7 +177,8 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]
         of_file(
             note.id,
             file,
-            f"in {'all' if note.variants == count else f'{note.variants} of'} {count} variants"
+            f"in {'all' if note.variants == count else f'{note.variants} of'} "
+            f"{count_of('variant', count)}"
             f"{'' if note.variants == count else f', the first is {note.first}'}: {note.text}",
         )
         for note in not_allowed(noticed, telling.allow)

@@ -74,7 +74,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     across = max(1, int((style.width - 2 * MARGIN + HISTOGRAM_GAP) // least))
     rows = [shown[at : at + across] for at in range(0, len(shown), across)]
     title = style.text("Histograms")
-    note = f"{len(set(sweep.variants))} {style.text('variants')}"
+    note = style.text("{count} variant|{count} variants", count=len(set(sweep.variants)))
     if len(shown) < len(every):
         note += f"; {style.text('columns')}: {len(shown)} / {len(every)}"
     figures, wide = [], (style.width - 2 * MARGIN + HISTOGRAM_GAP) / across

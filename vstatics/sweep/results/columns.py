@@ -178,9 +178,14 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
     ReadError
         If the name has another meaning, or another column has the name.
     """
-    meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS, OK
-    if name in (*meaning, *output_headings((), ()), GEAR):
-        message = f"`{name}` already has a meaning, expected another name"
+    meanings: dict[str, Collection[str]] = {
+        "a table of results": BY_NAME,
+        "a function": names.language.functions,
+        "a word of formulas": (*CONSTANTS, OMEGA, *OF_RATIOS, OK),
+        "a column of every sweep": (*output_headings((), ()), GEAR),
+    }
+    if meaning := next((what for what, taken in meanings.items() if name in taken), ""):
+        message = f"`{name}` already has a meaning: it is {meaning}, expected another name"
     elif name in known:
         message = f"two columns are called `{name}`, expected another name"
     else:

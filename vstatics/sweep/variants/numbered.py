@@ -9,7 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.errors import CaseError, Problem, ReadError, count_of
 from vstatics.core.jobs.spool import Spool
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.steps import Steps
@@ -103,7 +103,7 @@ class Zip:
         problems = [
             Problem(
                 "E705",
-                f"{variation.target.name} has {len(values)} values, but "
+                f"{variation.target.name} has {count_of('value', len(values))}, but "
                 f"{self.targets[0].name} has {self.count}: pairs need the same number of values",
                 place=variation.place,
             )

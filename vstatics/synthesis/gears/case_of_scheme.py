@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import plural
+from vstatics.core.errors import count_of
 from vstatics.core.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.gears.names import in_order, names_of_gears, set_name
@@ -71,12 +71,12 @@ def scheme_case(
     if scheme.mobility < LEAST_MOBILITY:
         sets = len(scheme.sets)
         raise ValueError(
-            f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+            f"{count_of('set', sets)} with {scheme.links} links turn as one body"
             f"; expected {sets + LEAST_MOBILITY} links or more"
         )
     if len(ratios) != len(scheme.sets):
         raise ValueError(
-            f"ratios: read {len(ratios)}, but the structure has {len(scheme.sets)} sets"
+            f"ratios: read {len(ratios)}, but the structure has {count_of('set', len(scheme.sets))}"
         )
     others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
     elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]

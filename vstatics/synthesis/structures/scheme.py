@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import listed, quoted, spoken
+from vstatics.core.errors import count_of, listed, quoted, spoken
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS, are_connected
 from vstatics.synthesis.structures.growth import MOST_SETS
 
@@ -107,7 +107,7 @@ def _numbers(code: str) -> list[int]:
 def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
     if len(numbers) % MEMBERS:
         expected = "expected three for each set: sun, carrier, ring"
-        raise ValueError(f"read {len(numbers)} links in the code, {expected}")
+        raise ValueError(f"read {count_of('link', len(numbers))} in the code, {expected}")
     if len(numbers) > MEMBERS * MOST_SETS:
         raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
     # A link number in the text can be huge, so gaps are only sought among the lowest numbers.

@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, Problem, listed, spoken
+from vstatics.core.errors import CaseError, Problem, count_of, listed, spoken
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.numbers import certain
@@ -215,8 +215,8 @@ def _problems(
     elif len(remove) > steps:
         yield Problem(
             "E510",
-            f"read {len(remove)} links to remove, expected {steps} at most, so that {frequencies} "
-            f"of {most} natural frequencies remain",
+            f"read {count_of('link', len(remove))} to remove, expected {steps} at most, so that "
+            f"{frequencies} of {most} natural frequencies remain",
         )
     inertias = dict(zip(scheme.names, scheme.inertias, strict=True))
     for place, name in enumerate(remove):

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.errors import count_of
 from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
@@ -56,7 +57,7 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
     """
     if len(peaks) < LEAST_EXTREMES:
         expected = f"expected {LEAST_EXTREMES} at least"
-        raise ValueError(f"read {len(peaks)} extremes of a vibration, {expected}")
+        raise ValueError(f"read {count_of('extreme', len(peaks))} of a vibration, {expected}")
     values = np.array(peaks, dtype=float)
     with np.errstate(over="ignore"):
         directions = np.sign(np.diff(values))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import ReadError, count_of, spoken
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.headings import SHAFT_COLUMNS, TableColumn
@@ -85,13 +85,20 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
     torques, column = np.unique(np.array(table.numbers["torque"]), return_inverse=True)
     fuel = np.full((len(speeds), len(torques)), np.nan)
     fuel[row, column] = table.numbers["fuel"]
+    at = {heading.column.name: heading for heading in table.head.headings}
     if len(row) != fuel.size or np.isnan(fuel).any():
         message = (
-            f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
-            "one row for each pair"
+            f"read {count_of('row', len(row))} for {count_of('speed', len(speeds))} and "
+            f"{count_of('torque', len(torques))}, expected one row for each pair"
         )
+        for speed, torque in np.argwhere(np.isnan(fuel))[:1]:
+            missing = (speeds[speed], at["speed"]), (torques[torque], at["torque"])
+            pair = spoken(f"{value / heading.size:g} {heading.unit}" for value, heading in missing)
+            message += f"; there is no row for {pair}"
         raise ReadError("E123", message, place=table.head_place)
     if (fuel < 0).any():
-        wrong = int(np.flatnonzero(np.array(table.numbers["fuel"]) < 0)[0])
-        raise ReadError("E123", "fuel: expected 0 or more", place=table.place(wrong))
+        rates = table.numbers["fuel"]
+        wrong = next(index for index, rate in enumerate(rates) if rate < 0)
+        message = f"fuel: read {rates[wrong] / at['fuel'].size:g}, expected 0 or more"
+        raise ReadError("E123", message, place=table.place(wrong))
     return FuelMap(speeds, torques, fuel)

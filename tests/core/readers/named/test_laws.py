@@ -64,13 +64,20 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
         ("kNm,rpm\n0,1\n", "read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`"),
+        ("speed,torque,eta\nrpm,N*m,%\n0,5,90\n", "line 1: read the heading 'eta' of a map"),
+        ("speed,torque\nrpm,N*m\n# warm\n\n5,1\n9,-1\n", "`drag.csv`, line 6: read -1, expected a"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )
 def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "drag.csv").write_text(text, "utf-8")
-    with rejects(ReadError, "case.yaml:3:11: error: drag.b: ", said):
+    with rejects(ReadError, "case.yaml:3:", " error: drag.b: ", said):
         load(case_of(tmp_path, "{file: drag.csv}"))
+    for row, told in {"0,5,9650": "9650 %, expected an efficiency", "-9,5,96": "-9 rpm"}.items():
+        text = f"speed,torque,efficiency\nrpm,N*m,%\n{row}\n"
+        (tmp_path / "map.csv").write_text(text, "utf-8")
+        with rejects(ReadError, f"`map.csv`, line 3: read {told}"):
+            load(case_of(tmp_path, efficiency="{over: [speed, torque], file: map.csv}"))
     with pytest.raises(ReadError, match=r"read `none.csv`, which cannot be read: No such file"):
         load(case_of(tmp_path, "{file: none.csv}"))
 
@@ -89,6 +96,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
         ("[[0, -1]]", "1", "read -1, expected a torque of 0 or more"),
         ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
         ("0", "{over: speed}", "`points` is missing"),
+        ("0", "{over: speed, points: 3}", "expected a list: [[speed, efficiency], ...]"),
         ("0", "{over: torque, points: [[0, .9], [1, 1.1]]}", "read 1.1, expected an efficiency"),
         ("0", "{over: torque, points: []}", "read no points"),
     ],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 
 import click
@@ -303,6 +303,24 @@ def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
         return case.gear_number(asked)
 
 
+def gear_numbers(case: Transmission, asked: Iterable[str], option: str = "--gear") -> list[int]:
+    """Return the numbers (from 1) of gears by name, each once.
+
+    Raises
+    ------
+    BadParameter
+        If a gear does not exist.
+    """
+    names = {gear.name for gear in case.gears}
+    for name in asked:
+        parts = name.split(",")
+        if name not in names and len(parts) > 1 and names.issuperset(parts):
+            options = " ".join(f"{option} {part}" for part in parts)
+            message = f"read {name!r}, expected an option for each gear: {options}"
+            raise click.BadParameter(message, param_hint=option)
+    return [*dict.fromkeys(gear_number(case, name, option) for name in asked)]
+
+
 def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
     """Return the indices of gears by name, each once; all gears if `asked` is empty.
 
@@ -311,8 +329,7 @@ def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear
     BadParameter
         If a gear does not exist.
     """
-    numbers = dict.fromkeys(gear_number(case, name, option) for name in asked)
-    return [number - 1 for number in numbers] or range(len(case.gears))
+    return [number - 1 for number in gear_numbers(case, asked, option)] or range(len(case.gears))
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:

@@ -21,10 +21,10 @@ from vstatics.core.readers.expressions.operands import Constant
 Values: TypeAlias = Floats | Booleans
 Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
-ON_ARRAYS: Mapping[str, np.ufunc] = {
+ON_ARRAYS: Mapping[str, Callable[..., Values]] = {
     "abs": np.absolute,
-    "min": np.fmin,
-    "max": np.fmax,
+    "min": lambda *values: reduce(np.fmin, values),
+    "max": lambda *values: reduce(np.fmax, values),
     "sqrt": np.sqrt,
     "exp": np.exp,
     "tanh": np.tanh,

@@ -34,13 +34,12 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
 
 def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
     """Read the points or the map of a file, whose name is relative to the folder of the case."""
-    from vstatics.core.model.laws import PointLaw  # needed by few cases
-    from vstatics.core.readers.named.point_files import map_of, points_of
+    from vstatics.core.readers.named.point_files import map_of, points_of  # needed by few cases
 
     path = os.path.join(os.path.dirname(walk.spots.document.source.file), name)  # noqa: PTH118 PTH120
     law: Law
     try:
-        law = map_of(path, shape.values) if shape.values else PointLaw(points_of(path))
+        law = map_of(path, shape.values) if shape.values else points_of(path)
     except OSError as error:
         why = error.strerror or str(error)
         return walk.refuse(spot, shape, f"which cannot be read: {why}", quoted(name), "E006")

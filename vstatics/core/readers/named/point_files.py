@@ -8,7 +8,7 @@ from itertools import chain, product, repeat
 from pathlib import Path
 from typing import Literal
 
-from vstatics.core.model.laws import LossUnit, MapLaw
+from vstatics.core.model.laws import LossUnit, MapLaw, PointLaw
 from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import has_cells, numbered_rows
@@ -19,6 +19,7 @@ from vstatics.core.readers.named.headings import (
     TableColumn,
     is_comment,
     read_headings,
+    with_unit,
 )
 from vstatics.core.readers.named.si_units import measured
 
@@ -36,6 +37,8 @@ _LOSS_NAMES = ("power loss", "torque loss", "loss torque", "losses", "p loss")
 _DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
 _SLIP_NAMES = ("slip", "slip speed")
 """Headings of the slip speed of a shift element."""
+_MAP_NAMES = ("efficiency", "eta", "loss")
+"""Headings that a file of drag torques must not have: its torques are not drag torques."""
 _COLUMNS = {
     "": (
         SHAFT_COLUMNS[0]._replace(
@@ -58,8 +61,8 @@ _Row = tuple[int, list[float]]
 """Line number of a row, and its numbers in SI units, or in the unit of a loss."""
 
 
-def points_of(name: str) -> list[tuple[float, ...]]:
-    """Read the points in a file, in SI units.
+def points_of(name: str) -> PointLaw:
+    """Read a drag torque over speed from a file of points.
 
     Raises
     ------
@@ -69,7 +72,9 @@ def points_of(name: str) -> list[tuple[float, ...]]:
         The message states the expected content.
     """
     _, rows = _table(lines_of(Path(name), MOST_POINT_FILE_BYTES), "")
-    return [tuple(numbers) for _, numbers in rows]
+    law = PointLaw([numbers for _, numbers in rows])
+    law.lines = tuple(line for line, _ in rows)
+    return law
 
 
 def map_of(name: str, values: Values) -> MapLaw:
@@ -101,9 +106,13 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(heads, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
+        if speed < 0:
+            read = _point(heads, speed)
+            raise ValueError(f"line {line}: read {read}, expected 0 or more: magnitudes count")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             hint = "; omit all rows with speed 0 or torque 0" if value == 0 else ""
-            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}{hint}")
+            read = f"{value * 100:g} %" if heads[-1].unit == "%" else f"{value:g}"
+            raise ValueError(f"line {line}: read {read}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
@@ -141,6 +150,10 @@ def _table(lines: Sequence[str], values: Values | Literal[""]) -> tuple[list[Hea
         head = read_headings(filled, what, columns, skips=True)
     except HeadingError as error:
         raise ValueError(f"line {error.line}: {error}") from None
+    names = (with_unit(heading)[0].casefold() for heading in head.skipped if not values)
+    if kind := next((name for name in names if name in _MAP_NAMES), ""):
+        message = f"line {head.number}: read the heading {kind!r} of a map, expected {what}"
+        raise ValueError(message)
     heads = sorted(head.headings, key=lambda heading: columns.index(heading.column))
     # A line of units can have fewer cells than the line of names above it.
     full = head.separator.join("x" * head.width)

@@ -270,6 +270,8 @@ class Walk:
     def _list_of(self, spot: Spot, shape: ListOf) -> Any:
         if not isinstance(spot.node, Listing):
             of = f" of {shape.kind}" if shape.kind else ""
+            if isinstance(shape.item, RowOf):
+                of += f": [[{shape.item.kind}], ...]"
             return self.refuse(spot, shape, f"expected a list{of}")
         return self.items(spot, spot.node.items, shape.item)
 

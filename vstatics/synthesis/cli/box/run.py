@@ -11,6 +11,7 @@ from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
+from vstatics.core.errors import count_of
 from vstatics.core.jobs.alone import Workers
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
@@ -134,7 +135,7 @@ def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
         with run.workers(count) as called:
             result = _search(run, pieces, called)
     except StoppedError as stopped:
-        files.say(f"stopped after {pieces.done} of {count} pieces of the search")
+        files.say(f"stopped after {pieces.done} of {count_of('piece', count)} of the search")
         return stopped_by(stopped.signal)
     files.write_data(result.text(run.to.form, run.to.style), run.to.output)
     return result
@@ -144,7 +145,7 @@ def _to_store(run: BoxRun, count: int) -> FoundBoxes:
     """Search and write a file or directory; an adjacent directory stores finished pieces."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
-        whole = f"{count} pieces of the search"
+        whole = f"{count_of('piece', count)} of the search"
         with going_on_later(
             output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
         ):
@@ -172,9 +173,9 @@ def _search(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
             advance(1)
     asked = run.asked
     if pieces.given_up:
-        those = f"{pieces.given_up} choices of shift elements could not be looked at to the end"
+        those = f"{count_of('choice', pieces.given_up)} of shift elements could not be looked at"
         advice = "expected narrower --bounds, or more --ratios"
-        files.say(f"warning: {those}, and some of them may be boxes, too; {advice}")
+        files.say(f"warning: {those} to the end, and some of them may be boxes, too; {advice}")
     boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
     check_most(len(boxes), MOST_MEASURED)
     figured: list[MeasuredBox] = []
