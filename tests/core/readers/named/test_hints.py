@@ -106,6 +106,12 @@ def test_a_component_without_links_causes_one_message(components: str) -> None:
     assert "`links`" in message
 
 
+def test_an_unreadable_link_causes_one_message() -> None:
+    """Source: lists with `name: text` in github.com/avaje/avaje-config/issues/227."""
+    [message] = errors("input: s", "links: [{s: in}, r, c]\ninput: s")
+    assert message == "links[1]: read a mapping, expected text"
+
+
 def test_an_efficiency_above_1_is_not_taken_for_a_percentage() -> None:
     """Source: extrapolated maps in github.com/OpenMDAO/Aviary/issues/972."""
     last = "teeth: {sun: 30, ring: 70}"

@@ -161,7 +161,10 @@ class Walk:
         if isinstance(node, Listing):
             named = spot._replace(path=("link_names",))
             self.spots.keep(named)
-            self.references.set_link_names(self.items(named, node.items, TEXT))
+            unreadable = len(self.spots.unreadable)
+            names = self.items(named, node.items, TEXT)
+            if len(self.spots.unreadable) == unreadable:  # else a reference can mean any stand-in
+                self.references.set_link_names(names)
             return len(node.items)
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
