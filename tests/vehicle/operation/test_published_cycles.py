@@ -265,6 +265,10 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPS}\n00:10,0\n00:20,1\n", ":2:1: .*finite number or a time such as `01:30:00`"),
         (f"{MPS}\n{'9' * 309}:00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         (f"{MPS}\n2024-02-30 00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
+        # clocks that pass midnight or have no fractions of a second:
+        # github.com/leo-holanda/logcharts.io/issues/7, github.com/uholeschak/ediabaslib/issues/15
+        (f"{MPS}\n23:59:50,0\n00:00:02,1\n", ":3:1: .*read 2 s after 86390 s.*; if .*midnight"),
+        (f"{MPS}\n1:00:59,0\n1:00:59,1\n", "read 3659 s after 3659 s, .* in each row .E122"),
         (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
         (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),
     ):
