@@ -27,7 +27,7 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
     """A first row of undefined numbers is not a row of units.
 
     Sources: lines of units in BurntSushi/xsv/issues/245, and in ratal/mdfreader/issues/199, where
-    only the time has a unit.
+    only the time has a unit; blanks between cells in JuliaData/CSV.jl/issues/371.
     """
     wanted: dict[str, Measure | None] = {"time": None, "torque": "si_torque"}
     for units, size in (
@@ -39,6 +39,7 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
         assert list(record.lines) == [3, 4]
     for first, said in (
         *(("nan,nan", "read 'nan', expected a finite"), ("0,", "read '', expected a finite")),
+        ("1 2", "read '', expected a finite number; the row has 1 of 2 cells"),
         ("s,bolts", "read the unit 'bolts', expected a torque with its unit, such as `N"),
     ):
         with pytest.raises(ReadError, match=rf"r\.csv:2:1: error: .*: {said}"):

@@ -118,7 +118,9 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
                 try:
                     columns[name].append(decimal(cell) * size if seconds is None else seconds)
                 except ValueError as error:
-                    message = f"{name}: read {cell.strip()[:40]!r}, {error}"
+                    count = f"; the row has {len(row)} of {len(headings)} cells"
+                    count = count if place >= len(row) else ""
+                    message = f"{name}: read {cell.strip()[:40]!r}, {error}{count}"
                     problems.append(Problem("E121", message, (), source.place(line)))
             if len(problems) >= MOST_PROBLEMS:
                 break
