@@ -86,6 +86,8 @@ def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
     assert record.lacks("E883", "turns").message.count("speeds[") == 7
     titled = read_record(b"Test 7\n\n" + text.encode(), "r.csv", {"time": None})
     assert str(titled.lacks("E883", "turns").place) == "r.csv:3:1"
+    blanks = read_record(b"time torques[a]\n0 1\n", "r.csv", {"time": None})
+    assert "; separate the cells by" in blanks.lacks("E883", "torques[a]").message
 
 
 GOOD = '{"ratio": [1.5]}'

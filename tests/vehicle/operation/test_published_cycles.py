@@ -259,6 +259,8 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPH},slope,grade [deg]\n0,0,0,0\n1,5,0,0\n", "read both `slope` and `grade`"),
         (f"{MPH},grade\n0,0,0.5\n1,5,2.5\n", ":3:1: error: grade: read 2.5, expected -1 to"),
         ("time_s speed_mps\n0 0\n1 5\n", "separate the cells by commas, semicolons or tabs"),
+        # github.com/okfn/messytables/pull/113
+        ("time [s]|speed [m/s]\n0|0\n1|5\n", "separate the cells by commas, semicolons or tabs"),
         (f"{MPH},slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
         (f"{MPS}\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
         (f"{MPS}\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
