@@ -149,9 +149,17 @@ FASTEST_ENGINE = 3000.0
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield warnings about a radius or speed that was probably given without its unit mm or rpm."""
+    """Yield notes about numbers that were probably given without their unit mm, rpm or %."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
+    rolling = vehicle.rolling
+    most = max((c for _, c in rolling), default=0.0) if isinstance(rolling, Sequence) else rolling
+    if most > 1:
+        message = (
+            f"read {most:g}, more than a tyre can have: a coefficient in % is `{most:g}%`, and in "
+            f"N/kN `{most:g}/1000`"
+        )
+        yield Problem("N205", message, ("vehicle", "rolling"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
     if fastest > FASTEST_ENGINE:
         place = ("machine", "torque") if vehicle.machine else ("engine",)
