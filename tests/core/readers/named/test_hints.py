@@ -55,6 +55,8 @@ def test_a_dash_without_a_blank_is_named() -> None:
     assert message.endswith("; write a blank after the dash of each item, such as `- A`")
     [message] = errors("gears: {low: [B], high: [C]}", "gears: {low: -1, high: [C]}")
     assert "dash" not in message
+    [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n  - B\n  -C\n  high: [C]")
+    assert message.endswith("; write a blank after the dash of each item, such as `- A`")
 
 
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:

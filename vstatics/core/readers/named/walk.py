@@ -44,6 +44,7 @@ from vstatics.core.readers.named.compounds import (
 from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
 from vstatics.core.readers.named.nodes import (
     CONTRADICTION,
+    DASH_HINT,
     MISSING,
     NAME,
     NUMBER,
@@ -110,7 +111,7 @@ class Walk:
         message = f"read {read or what(spot.node)}, {expected}"
         text = spot.node.text if isinstance(spot.node, Scalar) else ""
         if "a list" in message and text[:1] == "-" and not text[1:].isdigit():
-            message += "; write a blank after the dash of each item, such as `- A`"
+            message += DASH_HINT
         self.spots.refuse(spot, message, identity)
         return stand_in(shape)
 
