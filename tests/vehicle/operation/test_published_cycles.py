@@ -259,6 +259,8 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPH},slope,grade [deg]\n0,0,0,0\n1,5,0,0\n", "read both `slope` and `grade`"),
         (f"{MPH},grade\n0,0,0.5\n1,5,2.5\n", ":3:1: error: grade: read 2.5, expected -1 to"),
         ("time_s speed_mps\n0 0\n1 5\n", "separate the cells by commas, semicolons or tabs"),
+        # names as R writes them: github.com/tidyverse/readr/issues/130
+        (',"time..s.","speed..km.h."\n1,0,0\n2,1,5\n', "'time..s.'.* did you mean `time`"),
         # github.com/okfn/messytables/pull/113
         ("time [s]|speed [m/s]\n0|0\n1|5\n", "separate the cells by commas, semicolons or tabs"),
         (f"{MPH},slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
