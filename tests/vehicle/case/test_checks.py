@@ -69,10 +69,7 @@ def test_nor_among_those_of_what_is_geared_to_the_output(link: int, speed: float
 
 
 def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
-    """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm.
-
-    Coefficients in units of force per weight: github.com/OpenRailAssociation/osrd/pull/17054.
-    """
+    """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm."""
     text = "links: 2\nmechanisms: {pair: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}\n"
     for vehicle, told in {
         "radius: 300": ["read 300 m, more than a wheel can have"],
@@ -80,6 +77,7 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         "radius: 1.8": [],
         "radius: 0.3, engine: [[6000, 120]]": ["read 6000 rad/s, more than an engine can have"],
         "radius: 0.3, engine: [[20000 rpm, 120]]": [],
+        # in daN/t: github.com/OpenRailAssociation/osrd/pull/17054
         "radius: 0.3, rolling: 12": ["read 12, more than a tyre can have"],
         "radius: 0.3, rolling: 1.2%": [],
     }.items():

@@ -374,6 +374,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
     for file, text, said in (
         ("t.csv", "time [s],speed [km/h]\n", "no row below the headings"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
+        # rows within a second: github.com/uholeschak/ediabaslib/issues/15
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0 s after 0 s, e"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
         ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
