@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from vstatics.core.errors import Path, Problem, spoken
+from vstatics.core.errors import Path, Problem, percent, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.laws import of_law
 from vstatics.core.model.part_checks import no_unit
@@ -75,7 +75,8 @@ def _of_points(
 def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
     machine = vehicle.machine
     if not 0 <= vehicle.recuperation <= 1:
-        message = f"read {vehicle.recuperation:g}, expected a part from 0 to 1"
+        part = vehicle.recuperation
+        message = f"read {part:g}, expected a part from 0 to 1{percent(part)}"
         yield Problem("E268", message, ("vehicle", "recuperation"))
     if machine is None:
         return
@@ -88,9 +89,11 @@ def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
             machine.efficiency, path, low=math.ulp(0.0), high=1, what=what, signed=True
         )
     elif not 0 < machine.efficiency <= 1:
-        yield Problem("E268", f"read {machine.efficiency:g}, expected {what}", path)
+        message = f"read {machine.efficiency:g}, expected {what}{percent(machine.efficiency)}"
+        yield Problem("E268", message, path)
     if not 0 < machine.battery_efficiency <= 1:
-        message = f"read {machine.battery_efficiency:g}, expected {what}"
+        value = machine.battery_efficiency
+        message = f"read {value:g}, expected {what}{percent(value)}"
         yield Problem("E268", message, ("vehicle", "machine", "battery", "efficiency"))
     if not 0 <= machine.auxiliary <= LARGEST_NUMBER:
         message = f"read {machine.auxiliary:g} kW, expected a power from 0 to {LARGEST_NUMBER:g} kW"
