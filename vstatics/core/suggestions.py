@@ -23,22 +23,30 @@ _LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*p
 
 
 def lookalike(word: str, known: Iterable[str]) -> str:
-    """Return a hint with a known word that looks the same but has letters of another script.
+    """Return a hint with a known word that looks the same but has other characters.
 
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
+    >>> lookalike("Ra\u0308der", ["R\u00e4der"]).partition("? ")[2]
+    'Its letters look the same, but accents have other codes'
     """
-    looks = word.translate(_LOOKS)
-    name = next((name for name in known if name != word and name.translate(_LOOKS) == looks), "")
+    from unicodedata import normalize  # costs start-up time
+
+    composed = normalize("NFC", word)
+    looks = composed.translate(_LOOKS)
+    names = ((name, normalize("NFC", name)) for name in known if name != word)
+    name, letters = next((pair for pair in names if pair[1].translate(_LOOKS) == looks), ("", ""))
     if not name:
         return ""
+    if letters == composed:
+        return f"; did you mean `{name}`? Its letters look the same, but accents have other codes"
     places = grouped(
         ((_SCRIPTS.get(read, "Latin"), _SCRIPTS.get(meant, "Latin")), place)
-        for place, (read, meant) in enumerate(zip(word, name, strict=True))
+        for place, (read, meant) in enumerate(zip(composed, letters, strict=True))
         if read != meant
     )
     said = "; ".join(
-        f"{_letters(word, which)} {read} in what was read, but {meant} in this name"
+        f"{_letters(composed, which)} {read} in what was read, but {meant} in this name"
         for (read, meant), which in places.items()
     )
     return f"; did you mean `{name}`? {said}"

@@ -17,17 +17,11 @@ def fault_of_record(text: bytes) -> Problem:
     return problem
 
 
-def test_blank_lines_before_the_headings_are_passed_over() -> None:
-    made = read_record(b"\n\ntime,torque\n0,1\n\n1,2\n", "r.csv", WANTED)
-    assert made.columns["torque"].tolist() == [1.0, 2.0]
-    assert list(made.lines) == [4, 6]
-
-
 def test_units_can_be_in_a_line_below_the_headings() -> None:
     """A first row of undefined numbers is not a row of units.
 
     Sources: lines of units in BurntSushi/xsv/issues/245, and in ratal/mdfreader/issues/199, where
-    only the time has a unit.
+    only the time has a unit; blanks between cells in JuliaData/CSV.jl/issues/371.
     """
     wanted: dict[str, Measure | None] = {"time": None, "torque": "si_torque"}
     for units, size in (
@@ -39,6 +33,7 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
         assert list(record.lines) == [3, 4]
     for first, said in (
         *(("nan,nan", "read 'nan', expected a finite"), ("0,", "read '', expected a finite")),
+        ("1 2", "read '', expected a finite number; the row has 1 of 2 cells"),
         ("s,bolts", "read the unit 'bolts', expected a torque with its unit, such as `N"),
     ):
         with pytest.raises(ReadError, match=rf"r\.csv:2:1: error: .*: {said}"):
@@ -68,10 +63,10 @@ def test_comments_clock_times_and_capitals_are_read_as_in_other_files() -> None:
 
 
 def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() -> None:
-    problem = fault_of_record(b'\n"time","what\never","torque"\n0,0,1\n1,0,much\n')
+    problem = fault_of_record(b'\n"time","what\never","torque"\n0,0,1\n\n1,0,much\n')
     assert (problem.id, "much" in problem.message) == ("E121", True)
     assert problem.place is not None
-    assert problem.place.line == 5
+    assert problem.place.line == 6
     assert fault_of_record(b"time,torque\n0," + b"1" * 1_000_000 + b"\n").id == "E121"
 
 
@@ -85,6 +80,8 @@ def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
     assert record.lacks("E883", "turns").message.count("speeds[") == 7
     titled = read_record(b"Test 7\n\n" + text.encode(), "r.csv", {"time": None})
     assert str(titled.lacks("E883", "turns").place) == "r.csv:3:1"
+    blanks = read_record(b"time torques[a]\n0 1\n", "r.csv", {"time": None})
+    assert "; separate the cells by" in blanks.lacks("E883", "torques[a]").message
 
 
 GOOD = '{"ratio": [1.5]}'

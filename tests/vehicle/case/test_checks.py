@@ -77,6 +77,9 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         "radius: 1.8": [],
         "radius: 0.3, engine: [[6000, 120]]": ["read 6000 rad/s, more than an engine can have"],
         "radius: 0.3, engine: [[20000 rpm, 120]]": [],
+        # in daN/t: github.com/OpenRailAssociation/osrd/pull/17054
+        "radius: 0.3, rolling: 12": ["read 12, more than a tyre can have"],
+        "radius: 0.3, rolling: 1.2%": [],
     }.items():
         case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
         said = [doubt.message for doubt in doubts(case) if doubt.id == "N205"]

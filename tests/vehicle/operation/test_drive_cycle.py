@@ -396,7 +396,8 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
     for file, text, said in (
         ("t.csv", "time [s],speed [km/h]\n", "no row below the headings"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
-        ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
+        # rows within a second: github.com/uholeschak/ediabaslib/issues/15
+        ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0 s after 0 s, e"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
         ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),

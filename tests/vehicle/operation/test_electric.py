@@ -175,8 +175,9 @@ def test_a_machine_that_cannot_be_is_refused_at_its_place() -> None:
         (MACHINE % "" + ", recuperation: 1.2", "recuperation: read 1.2"),
         (MACHINE % ", battery: {auxiliary: -1 W}", "battery.auxiliary: read -0.001 kW"),
         ("recuperation: 0.5", "read `recuperation` without `machine`"),
-        (MACHINE % ", efficiency: 1.1", "efficiency: read 1.1, expected an efficiency above 0"),
+        (MACHINE % ", efficiency: 92", "and up to 1, such as 0.92 for 92 %"),
         (MACHINE % ", battery: {efficiency: 0}", "battery.efficiency: read 0"),
+        (MACHINE % ", battery: {efficiency: 95}", "and up to 1, such as 0.95 for 95 %"),
         ("machine: {torque: []}", "torque: read no points, expected at least one"),
         ("machine: {efficiency: 0.9}", "`torque` is missing"),
     ):

@@ -327,8 +327,6 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
     "headings",
     [
         "duration [s],gear,n [rpm],M [Nm]",
-        "t [s],gear,n [rpm],T [Nm]",
-        "time [s],gear,RPM,Nm",
         # capitals distinguish headings, as in github.com/jtablesaw/tablesaw/issues/104
         "t,gear,n,T\ns,,rpm,N*m",
         # headings that are units, as in github.com/GoldenCheetah/GoldenCheetah/issues/1288

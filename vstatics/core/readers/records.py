@@ -14,6 +14,8 @@ from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
 from vstatics.core.readers.named.headings import (
+    OTHER_SEPARATORS,
+    SEPARATE,
     CellError,
     Heading,
     TableColumn,
@@ -50,9 +52,11 @@ class RecordedColumns(NamedTuple):
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
+        is_part = any(heading in OTHER_SEPARATORS.split(name) for name in known)
+        hint = SEPARATE if is_part else nearest(heading, known)
         return self.problem(
             identity,
-            f"there is no column {quoted(heading)}{nearest(heading, known)}; "
+            f"there is no column {quoted(heading)}{hint}; "
             f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}",
         )
 
@@ -118,7 +122,9 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
                 try:
                     columns[name].append(decimal(cell) * size if seconds is None else seconds)
                 except ValueError as error:
-                    message = f"{name}: read {cell.strip()[:40]!r}, {error}"
+                    count = f"; the row has {len(row)} of {len(headings)} cells"
+                    count = count if place >= len(row) else ""
+                    message = f"{name}: read {cell.strip()[:40]!r}, {error}{count}"
                     problems.append(Problem("E121", message, (), source.place(line)))
             if len(problems) >= MOST_PROBLEMS:
                 break

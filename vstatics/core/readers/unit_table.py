@@ -33,6 +33,7 @@ _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _CLOCK = re.compile(r"\s*(\d{1,9}):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
 _DAY_FIRST = re.compile(r"([0-9]{2})\.([0-9]{2})\.([0-9]{4})(?= )")
 _DATED = re.compile(r"\s*[0-9]{4}-[0-9]{2}-[0-9]{2}[T ][0-9]{2}:")
+_TIMES = "`01:30:00` or `2024-05-06 01:30:00`"
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
 """Maximum number of rows of a table. A day in steps of 0.1 s has 864,000 rows."""
@@ -240,7 +241,7 @@ class _ColumnsRead:
                     seconds = decimal(self.decimals.with_points(cell, number)) * size
                 column.append(seconds)
             except ValueError as error:
-                hint = " or a time such as `01:30:00`" if is_clock else ""
+                hint = f" or a time such as {_TIMES}" if is_clock else ""
                 raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}{hint}") from None
         for place, words in self._words:
             words.append(sys.intern(cells[place].strip()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from vstatics.core.errors import Path, Problem, spoken
+from vstatics.core.errors import Path, Problem, percent, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.laws import of_law
 from vstatics.core.model.part_checks import no_unit
@@ -75,7 +75,8 @@ def _of_points(
 def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
     machine = vehicle.machine
     if not 0 <= vehicle.recuperation <= 1:
-        message = f"read {vehicle.recuperation:g}, expected a part from 0 to 1"
+        part = vehicle.recuperation
+        message = f"read {part:g}, expected a part from 0 to 1{percent(part)}"
         yield Problem("E268", message, ("vehicle", "recuperation"))
     if machine is None:
         return
@@ -88,9 +89,11 @@ def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
             machine.efficiency, path, low=math.ulp(0.0), high=1, what=what, signed=True
         )
     elif not 0 < machine.efficiency <= 1:
-        yield Problem("E268", f"read {machine.efficiency:g}, expected {what}", path)
+        message = f"read {machine.efficiency:g}, expected {what}{percent(machine.efficiency)}"
+        yield Problem("E268", message, path)
     if not 0 < machine.battery_efficiency <= 1:
-        message = f"read {machine.battery_efficiency:g}, expected {what}"
+        value = machine.battery_efficiency
+        message = f"read {value:g}, expected {what}{percent(value)}"
         yield Problem("E268", message, ("vehicle", "machine", "battery", "efficiency"))
     if not 0 <= machine.auxiliary <= LARGEST_NUMBER:
         message = f"read {machine.auxiliary:g} kW, expected a power from 0 to {LARGEST_NUMBER:g} kW"
@@ -149,9 +152,17 @@ FASTEST_ENGINE = 3000.0
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield warnings about a radius or speed that was probably given without its unit mm or rpm."""
+    """Yield notes about numbers that were probably given without their unit mm, rpm or %."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
+    rolling = vehicle.rolling
+    most = max((c for _, c in rolling), default=0.0) if isinstance(rolling, Sequence) else rolling
+    if most > 1:
+        message = (
+            f"read {most:g}, more than a tyre can have: a coefficient in % is `{most:g}%`, and in "
+            f"N/kN `{most:g}/1000`"
+        )
+        yield Problem("N205", message, ("vehicle", "rolling"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
     if fastest > FASTEST_ENGINE:
         place = ("machine", "torque") if vehicle.machine else ("engine",)

@@ -85,6 +85,9 @@ _SUMO_COLUMNS = tuple(
 )
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
+_HALF_DAY = 12 * 3600.0
+"""Step back in time from which a clock probably passed midnight. [s]"""
+_LATER = "a later time in each row"
 
 BLOCK_ROWS = 20_000
 """Number of steps that are calculated together, which limits memory in long cycles."""
@@ -214,7 +217,7 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         accelerations = np.abs(changes / durations)
     slopes, grades = (np.array(table.numbers.get(name, ())) for name in ("slope", "grade"))
     checks = (
-        ("time", durations <= 0, "a later time than above"),
+        ("time", durations <= 0, _LATER),
         ("time", times != within[0], f"at most {LATEST:g} s"),
         ("speed", speeds < 0, "0 or more"),
         ("speed", speeds > FASTEST, f"at most {FASTEST:g} m/s"),
@@ -236,5 +239,10 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         for row in np.flatnonzero(are_wrong).tolist()[:MOST_SHOWN_FAULTS]
     ]
     for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN_FAULTS]:
-        message = f"{name}: read {table.numbers[name][row]:g}, expected {expected}"
+        read, hint = f"{table.numbers[name][row]:g}", ""
+        if expected == _LATER:
+            read = f"{times[row]:.10g} s after {times[row - 1]:.10g} s"
+            if times[row] < times[row - 1] - _HALF_DAY:
+                hint = "; if the clock passes midnight, write the dates, too"
+        message = f"{name}: read {read}, expected {expected}{hint}"
         yield Problem("E122", message, (), table.place(row))

@@ -55,6 +55,8 @@ def test_a_dash_without_a_blank_is_named() -> None:
     assert message.endswith("; write a blank after the dash of each item, such as `- A`")
     [message] = errors("gears: {low: [B], high: [C]}", "gears: {low: -1, high: [C]}")
     assert "dash" not in message
+    [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n  - B\n  -C\n  high: [C]")
+    assert message.endswith("; write a blank after the dash of each item, such as `- A`")
 
 
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:
@@ -104,6 +106,12 @@ def test_words_of_other_programs_suggest_words_of_a_case(old: str, new: str, mea
 def test_a_component_without_links_causes_one_message(components: str) -> None:
     [message] = errors("gears:", f"{components}\ngears:")
     assert "`links`" in message
+
+
+def test_an_unreadable_link_causes_one_message() -> None:
+    """Source: lists with `name: text` in github.com/avaje/avaje-config/issues/227."""
+    [message] = errors("input: s", "links: [{s: in}, r, c]\ninput: s")
+    assert message == "links[1]: read a mapping, expected text"
 
 
 def test_an_efficiency_above_1_is_not_taken_for_a_percentage() -> None:

@@ -32,6 +32,9 @@ MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading is a mistyped name."""
+OTHER_SEPARATORS = re.compile(r"[\s|]+")
+"""Pattern of signs that separate the cells of other programs."""
+SEPARATE = "; separate the cells by commas, semicolons or tabs"
 _COMMENT_SIGNS = ("#", "%")
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can have any mixture of upper and lower case."""
@@ -414,14 +417,16 @@ class _ExpectedTable(NamedTuple):
         aliases = [alias for column in lacking for alias in (*column.aliases, column.name)]
         # a distance <s> is not a mistyped time <t>
         known = [alias for alias in aliases if not alias.startswith("<")]
-        for cell in others:
+        for cell in filter(
+            None, others
+        ):  # tables of R and pandas have no heading above row numbers
             name = _folded(with_unit(cell)[0])
             hint = nearest(name, known)
             is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
-                if len(self.understood(cell.split())) > 1:
-                    hint = "; separate the cells by commas, semicolons or tabs"
+                if len(self.understood(OTHER_SEPARATORS.split(cell))) > 1:
+                    hint = SEPARATE
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
         if twice := next((name for name in names if names.count(name) > 1), None):
             raise ValueError(f"two columns are called {quoted(twice)}")

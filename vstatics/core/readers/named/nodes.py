@@ -24,6 +24,7 @@ MOST_PROBLEMS = 100
 MOST_HINTS = 20  # each hint compares a word with all known names
 UNIT, NUMBER, NAME, SHAPE, CONTRADICTION = "E124", "E125", "E126", "E127", "E107"
 """Ids of errors in values: wrong unit, number or name, wrong type of node, contradictory keys."""
+DASH_HINT = "; write a blank after the dash of each item, such as `- A`"
 TWICE, MISSING, UNKNOWN_KEY = "E192", "E191", "E190"
 """Ids of errors in keys: repeated, missing and unknown keys."""
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})

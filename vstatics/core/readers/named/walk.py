@@ -44,6 +44,7 @@ from vstatics.core.readers.named.compounds import (
 from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
 from vstatics.core.readers.named.nodes import (
     CONTRADICTION,
+    DASH_HINT,
     MISSING,
     NAME,
     NUMBER,
@@ -110,7 +111,7 @@ class Walk:
         message = f"read {read or what(spot.node)}, {expected}"
         text = spot.node.text if isinstance(spot.node, Scalar) else ""
         if "a list" in message and text[:1] == "-" and not text[1:].isdigit():
-            message += "; write a blank after the dash of each item, such as `- A`"
+            message += DASH_HINT
         self.spots.refuse(spot, message, identity)
         return stand_in(shape)
 
@@ -161,7 +162,10 @@ class Walk:
         if isinstance(node, Listing):
             named = spot._replace(path=("link_names",))
             self.spots.keep(named)
-            self.references.set_link_names(self.items(named, node.items, TEXT))
+            unreadable = len(self.spots.unreadable)
+            names = self.items(named, node.items, TEXT)
+            if len(self.spots.unreadable) == unreadable:  # else a reference can mean any stand-in
+                self.references.set_link_names(names)
             return len(node.items)
         try:
             links = scalars.link_number(node.text) if isinstance(node, Scalar) else None

@@ -13,6 +13,7 @@ from typing import Any
 import yaml
 
 from vstatics.core.readers.named.nodes import (
+    DASH_HINT,
     UNKNOWN_KEY,
     DocumentText,
     Listing,
@@ -230,7 +231,8 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
     index = error.problem_mark.index if error.problem_mark else len(text)
     raw = ", ".join(part for part in (context, problem) if part)
     if problem == _NO_COLON:
-        return "expected a key with a colon and a blank, such as `low: [C1, B1]`"
+        hint = DASH_HINT if begin and re.match(r"-\w", text[begin.index :]) else ""
+        return f"expected a key with a colon and a blank, such as `low: [C1, B1]`{hint}"
     if problem.startswith("mapping values are not allowed"):
         return "read a second `: `; write a text with a colon in quotes, and check the indentation"
     if "that cannot start any token" in problem and text[index : index + 1].strip():
