@@ -28,12 +28,6 @@ DOCUMENTS: dict[str, Any] = {
     for path in sorted(HERE.glob("*.json"))
     if path.stem not in WITH_OWN_TEST
 }
-FACTS = [(name, fact) for name, document in DOCUMENTS.items() for fact in document["facts"]]
-RATIOS = [
-    (name, gear, ratio)
-    for name, document in DOCUMENTS.items()
-    for gear, ratio in document["ratio"].items()
-]
 DIGITS_OF_A_CLOSED_FORM = 10
 
 OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
@@ -98,25 +92,27 @@ def quantity(results: Results, fact: dict[str, Any]) -> float:
     return float(array[gear, rows.index(of)] if rows else array[gear])
 
 
-@pytest.mark.parametrize(("name", "gear", "printed"), RATIOS)
-def test_printed_ratio(
-    solved: Callable[[str], Results], name: str, gear: str, printed: float
-) -> None:
-    fact = {"gear": gear, "quantity": "ratio"}
-    tolerance = half_a_unit(DOCUMENTS[name]["decimals"])
-    assert quantity(solved(name), fact) == pytest.approx(printed, rel=0, abs=tolerance)
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_printed_ratios(solved: Callable[[str], Results], name: str) -> None:
+    printed, tolerance = DOCUMENTS[name]["ratio"], half_a_unit(DOCUMENTS[name]["decimals"])
+    ratios = {gear: quantity(solved(name), {"gear": gear, "quantity": "ratio"}) for gear in printed}
+    assert ratios == pytest.approx(printed, rel=0, abs=tolerance)
 
 
-@pytest.mark.parametrize(("name", "fact"), FACTS)
-def test_fact(solved: Callable[[str], Results], name: str, fact: dict[str, Any]) -> None:
-    tolerance = half_a_unit(fact.get("decimals", DIGITS_OF_A_CLOSED_FORM))
-    assert quantity(solved(name), fact) == pytest.approx(fact["value"], rel=0, abs=tolerance)
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_facts(solved: Callable[[str], Results], name: str) -> None:
+    for fact in DOCUMENTS[name]["facts"]:
+        tolerance = half_a_unit(fact.get("decimals", DIGITS_OF_A_CLOSED_FORM))
+        expected = pytest.approx(fact["value"], rel=0, abs=tolerance)
+        assert quantity(solved(name), fact) == expected, fact
 
 
-@pytest.mark.parametrize("fact", [fact for _, fact in FACTS if "form" in fact])
-def test_closed_form_gives_the_number_beside_it(fact: dict[str, Any]) -> None:
-    value = evaluated(ast.parse(fact["form"], mode="eval"))
-    assert value == pytest.approx(fact["value"], rel=0, abs=half_a_unit(DIGITS_OF_A_CLOSED_FORM))
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_closed_forms_give_the_numbers_beside_them(name: str) -> None:
+    facts = [fact for fact in DOCUMENTS[name]["facts"] if "form" in fact]
+    values = {fact["form"]: evaluated(ast.parse(fact["form"], mode="eval")) for fact in facts}
+    expected = {fact["form"]: fact["value"] for fact in facts}
+    assert values == pytest.approx(expected, rel=0, abs=half_a_unit(DIGITS_OF_A_CLOSED_FORM))
 
 
 @pytest.mark.parametrize("name", DOCUMENTS)
