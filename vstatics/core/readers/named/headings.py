@@ -417,9 +417,8 @@ class _ExpectedTable(NamedTuple):
         aliases = [alias for column in lacking for alias in (*column.aliases, column.name)]
         # a distance <s> is not a mistyped time <t>
         known = [alias for alias in aliases if not alias.startswith("<")]
-        for cell in filter(
-            None, others
-        ):  # tables of R and pandas have no heading above row numbers
+        # Tables of R and pandas have no heading above row numbers.
+        for cell in filter(None, others):
             name = _folded(with_unit(cell)[0])
             hint = nearest(name, known)
             is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
