@@ -125,8 +125,9 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
     def more(book: Any) -> None:
         book.create_sheet("Notes").append(["=1/0", "whatever"])
         book["mechanisms"].insert_rows(3)
+        book["links"].title = "Links "  # dondi/GRNsight#732; backslashes: python-excel/xlrd#96
 
-    assert read(typed(more)) == library.loads(SAME)
+    assert read(typed(more).replace(b"xl/work", b"xl\\work")) == library.loads(SAME)
 
 
 FAULTS: tuple[tuple[str, Any, str], ...] = (
@@ -185,7 +186,7 @@ def test_a_mistyped_sheet_and_a_cell_merged_over_rows_are_told() -> None:
 
 
 def test_what_is_no_case_is_refused() -> None:
-    assert "cannot be read as a workbook" in faults(b"PK\x03\x04 and no more")[0]
+    assert "a workbook: it is damaged, or of another f" in faults(b"PK\x03\x04 and no more")[0]
     bomb = io.BytesIO()
     with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("xl/workbook.xml", b" " * 60_000_000)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -39,6 +40,8 @@ class ReadSheet(NamedTuple):
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
     """Read the cells of the sheets `wanted` of a workbook. Other sheets have no rows.
 
+    The case of letters in the name of a sheet does not matter, nor do blanks around the name.
+
     Raises
     ------
     ReadError
@@ -48,16 +51,19 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
         parts = PackedParts(data)
     except Exception as error:  # noqa: BLE001 (damaged files raise many classes of errors)
         raise _no_workbook(file, error) from None
-    wanted, read, problems = {*wanted}, [], list[Problem]()
-    for name, path in parts.sheets.items():
-        sheet = _SheetElements(CellPlace.of(Place(file, 1, 1), name), parts, problems)
+    wanted, read, problems = {*wanted}, list[ReadSheet](), list[Problem]()
+    for named, path in parts.sheets.items():
+        sheet = _SheetElements(CellPlace.of(Place(file, 1, 1), named), parts, problems)
+        meant = named.strip().lower()
+        known = {*parts.sheets, *(one.name for one in read)}
+        name = meant if meant in wanted - known else named
         if name in wanted and path:
             try:
                 parts.parse(path, sheet.start, sheet.end, sheet.text)
             except ReadError:
                 raise
             except Exception as error:  # noqa: BLE001 (as above)
-                raise _no_workbook(file, error, name) from None
+                raise _no_workbook(file, error, named) from None
         read.append(ReadSheet(name, [row for row in sheet.rows if row]))
     if problems:
         raise ReadError(problems)
@@ -66,6 +72,8 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
 
 def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
     reason = " ".join(str(error).split()) or type(error).__name__
+    if isinstance(error, (zipfile.BadZipFile, KeyError)):
+        reason = "it is damaged, or of another format; save it as .xlsx in a spreadsheet program"
     of = f"sheet {quoted(sheet)}: " if sheet else ""
     return ReadError([of_file("E117", file, f"cannot be read as a workbook: {of}{reason}")])
 
@@ -143,7 +151,8 @@ class _SheetElements:
         kind = self._attributes.get("t", "n")
         value = "".join(self._contents.get("t" if kind == "inlineStr" else "v", ()))
         if not value:
-            if "f" in self._contents:
+            is_text = kind == "str" and "v" in self._contents
+            if "f" in self._contents and not is_text:
                 raise ValueError(
                     "a formula without its value: save the file in a spreadsheet program"
                 )

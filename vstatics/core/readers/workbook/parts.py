@@ -87,6 +87,8 @@ class PackedParts:
     def __init__(self, data: bytes) -> None:
         """Read the list of sheets."""
         self._packed = zipfile.ZipFile(io.BytesIO(data))
+        files = self._packed.NameToInfo
+        files |= {path.replace("\\", "/"): file for path, file in files.items()}
         self._left = MOST_UNPACKED_BYTES
         roots = self._relations("")
         self._book = next((path for kind, path in roots.values() if kind == "officeDocument"), "")
