@@ -81,7 +81,7 @@ number-too-large.json:4:71: mechanisms.D1.ratio: read '1e999', expected a smalle
 octal.json:2:12: not JSON: read '03', expected a value
 single-quotes.json:2:3: not JSON: read ''links'', expected a key in double quotes
 tab-in-text.json:2:13: not JSON: Invalid control character
-trailing-comma.json:5:37: not JSON: read ']', expected a value
+trailing-comma.json:5:37: not JSON: read ']', expected no `,` before it
 compliance-0.yaml:4:47: springs.damper.compliance: read 0, expected a compliance above 0
 compliance-negative.yaml:4:47: springs.damper.compliance: read -0.00084, expected a compliance
 compliance-too-small.yaml:4:47: springs.damper.compliance: read 1e-310, expected a compliance that

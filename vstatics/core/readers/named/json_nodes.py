@@ -104,6 +104,8 @@ class _Scanner:
             more = self.sign == ","
             if more:
                 self.skip(1)
+                if self.sign == closing:
+                    self.refuse("no `,` before it")
             elif self.sign != closing:
                 self.refuse(f"`,` or `{closing}`")
         self.at += 1
