@@ -14,6 +14,7 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.cli.shared.values import FILE, torque, value, wrong_value
 from vstatics.core.errors import Problem, listed, plural, spoken
+from vstatics.core.groups import grouped
 from vstatics.core.model.checks import notes_on_vibration
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
@@ -226,18 +227,15 @@ def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem
     from vstatics.torsion.system.slopes import spring_slopes
 
     doubts = ((working.gear.name, text) for working in gears for text in working.doubts)
-    equal: dict[tuple[int, str], list[str]] = {}
-    for case, gear, *_ in gears:
-        for slope in spring_slopes(case, gear):
-            equal.setdefault((slope.number, str(slope)), []).append(gear.name)
+    equal = grouped(
+        (Problem("N506", str(slope), ("springs", slope.number, "points")), gear.name)
+        for case, gear, *_ in gears
+        for slope in spring_slopes(case, gear)
+    )
     notes = [
         reading.locate(
-            Problem(
-                "N506",
-                f"{plural('gear', len(names))} {spoken(names)}: {slope}",
-                ("springs", number, "points"),
-            )
+            note._replace(message=f"{plural('gear', len(names))} {spoken(names)}: {note.message}")
         )
-        for (number, slope), names in equal.items()
+        for note, names in equal.items()
     ]
     return [*located(reading, doubts, "W431"), *notes]
