@@ -87,8 +87,8 @@ ANNEX = Annex(
     pictures={
         "modes": PictureKind(
             "vstatics.torsion.pictures.shapes.modes",
-            "natural modes of one gear, by default of the first gear: shapes\n"
-            "over the links, and shares of the energy",
+            "natural modes of each gear, on standard output of the first:\n"
+            "shapes over the links, and shares of the energy",
             70,
             "Natural modes",
             "vibration",

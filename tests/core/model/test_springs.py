@@ -8,7 +8,7 @@ import pytest
 
 from tests.rejects import rejects
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.core.model.checks import hints
+from vstatics.core.model.checks import doubts, hints
 from vstatics.core.model.parts import NO_DAMPING, Damping, damping
 from vstatics.core.model.springs import Spring, between, ends
 
@@ -150,3 +150,15 @@ def test_of_a_torque_points_tell_twist_and_slope() -> None:
         assert curve.twist_at(torque) == pytest.approx(twist)
         assert curve.slope_at(torque) == pytest.approx(slope)
     assert [flat.twist_at(torque) for torque in (8, -9)] == [pytest.approx(0.1), None]
+
+
+def test_twists_in_degrees_without_the_unit_are_told() -> None:
+    """40 rad are six turns; the extension of a straight spring is in m."""
+    for twist, given, told in (
+        (40.0, "inertias", ["N205"]),
+        (0.7, "inertias", []),
+        (40.0, "masses", []),
+    ):
+        arc = Spring(between(1, 2), points=((-twist, -330.0), (twist, 330.0)), name="arc")
+        case = Transmission(2, [], [], [], springs=[arc]).replace(**{given: {1: 2.0, 2: 3.0}})
+        assert [doubt.id for doubt in doubts(case)] == told

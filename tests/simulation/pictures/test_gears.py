@@ -101,6 +101,11 @@ def test_a_gear_needs_the_freewheel_that_drives_it(load: str) -> None:
     }  # fmt: skip
 
 
+def test_a_gear_of_a_rounding_error_is_not_named() -> None:
+    motion = shifting(A=[1, 0, 0, 0, 0])._replace(time=np.array([0, 1e-12, 2.0, 3.0, 4.0, 5.0]))
+    assert gear_pieces({"0": GearElements(frozenset("A"))}, motion, ROWS) == []
+
+
 def test_without_what_sticks_there_is_no_bar() -> None:
     assert gear_pieces(GEARS, shifting()._replace(beside={}), ROWS) == []
 

@@ -11,6 +11,7 @@ from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.core.model.part_checks import (
     called,
     doubtful,
+    no_unit,
     of_element,
     of_gear,
     of_link,
@@ -39,6 +40,8 @@ The solver can try all combinations of holding freewheels in every gear: at most
 """
 LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
+LARGE_TWIST = 12.0
+"""Largest plausible twist of a spring, about two turns. [rad]"""
 LARGE_SLIP = 5.0
 """Largest plausible relative slip; a larger number was probably meant in rpm or rad/s. [-]"""
 
@@ -125,6 +128,7 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
         yield from key.doubts(case)
     yield from case.derived(_bare_drags)
     yield from _bare_slips(case)
+    yield from _bare_twists(case)
 
 
 def doubtful_mechanisms(case: TransmissionFields) -> Iterator[Problem]:
@@ -147,6 +151,14 @@ def _bare_slips(case: TransmissionFields) -> Iterator[Problem]:
                     f"`{slip:g} rpm`",
                     ("gears", number, "slip", owner),
                 )
+
+
+def _bare_twists(case: TransmissionFields) -> Iterator[Problem]:
+    """Note unitless twists that are probably in degrees."""
+    for number, spring in enumerate(case.springs, 1):
+        largest = max((abs(point[0]) for point in spring.points), default=0.0)
+        if largest > LARGE_TWIST and not case.is_straight(spring):
+            yield no_unit(largest, "rad", "a spring", ("springs", number, "points"))
 
 
 def _bare_drags(case: TransmissionFields) -> list[Problem]:

@@ -622,6 +622,6 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
     """Return a note that a number is implausibly large and probably lacks a unit."""
-    other = "mm" if unit == "m" else "rpm"
+    other = {"m": "mm", "rad": "deg"}.get(unit, "rpm")
     hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
     return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)

@@ -29,6 +29,8 @@ SAME_RUN_SPEED = 1e-6
 """Relative difference up to which speeds or torques of a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9
 """Torque below which a curve counts as rounding noise, relative to the largest torque. [-]"""
+SHORTEST_GEAR = 1e-9
+"""Duration below which a gear counts as not engaged, relative to the run. [-]"""
 SAME_CURVE = 1e-9
 """Relative difference of values up to which curves count as equal. [-]"""
 SAME_FREQUENCY = 0.005

@@ -14,6 +14,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.pictures.drawing.labels import Span
+from vstatics.pictures.drawing.tolerances import SHORTEST_GEAR
 from vstatics.simulation.pictures.elements import ElementStates, spans
 from vstatics.simulation.record.motion import Motion
 
@@ -154,12 +155,16 @@ def gear_pieces(sets: GearSets, motion: Motion, rows: Sequence[ElementStates]) -
             for gear, own in sets.items()
         ]
     )
-    pieces = []
+    pieces, shortest = [], SHORTEST_GEAR * float(np.ptp(motion.time))
     for state in np.unique(engaged, axis=1).T:
         names = [name for name, is_engaged in zip(sets, state, strict=True) if is_engaged]
         elements = frozenset().union(*(part for name in names for part in sets[name]))
         during = spans(motion.time, (state == engaged.T).all(axis=1))
-        pieces += [GearPiece(", ".join(names), *span, elements) for span in during if names]
+        pieces += [
+            GearPiece(", ".join(names), start, end, elements)
+            for start, end in during
+            if names and end - start > shortest
+        ]
     return sorted(pieces, key=lambda piece: (piece.start, piece.end))
 
 
