@@ -111,9 +111,8 @@ def test_a_result_whose_keys_were_sorted_is_rejected(written: Write) -> None:
     files = [written(json.dumps(document(SPLIT), sort_keys=sort)) for sort in (True, False)]
     assert vstatics("compare", *files).fails("result 1 has sorted keys, so the names in its case")
     assert vstatics("compare", files[1], files[1]).status == 0
-    inner = document(SPLIT)
-    inner["case"] = json.loads(json.dumps(inner["case"], sort_keys=True))
-    assert vstatics("compare", files[1], written(json.dumps(inner))).fails("has sorted keys")
+    inner = written(json.dumps(document(SPLIT) | {"case": {"gears": {}, "links": 2}}))
+    assert vstatics("compare", files[1], inner).fails("result 1 has sorted keys")
 
 
 def test_tolerances_are_absolute_and_relative(written: Write) -> None:

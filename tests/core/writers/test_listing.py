@@ -6,11 +6,16 @@ from typing import Any
 import pytest
 
 from tests.core.writers.result_cases import NAMED, table
-from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
-from vstatics.core.model.laws import PointLaw
+from vstatics import Gear, Mechanism, Results, Transmission, loads, solve
 from vstatics.core.readers import read
 from vstatics.core.writers import listing
 
+LOSSY = """\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 50 N*m}
+mechanisms: {P: {first: a, second: b, ratio: -2, efficiency: {over: torque, points: [[0, 0.9]]}}}
+gears: {G: []}
+"""
 SOURCE_ORDER = ["AJK", "W", "WSAT", "WFRI", "AMLG", "AMLG", "AMLGP", "AMLGP", "ETA", "IX"]
 
 
@@ -29,9 +34,7 @@ def test_what_does_not_exist_is_asterisks_of_the_width(several: Results) -> None
     """Nothing is engaged in the last gear: only the input's speed, 1, is known."""
     text = listing.write(several)
     column = [line.split()[-1] for line in table(text, "(W(I,J),J=1,NP),I=1,KJG:")]
-    law = PointLaw([(0, 0.9), (100, 0.95)])
-    lossy = Transmission(2, [], [Mechanism(1, 2, 0, -2.5, law)], [Gear()], load=Load(1000, 50))
-    assert "ETAI(I),I=1,KG:\n**********\n" in listing.write(solve(lossy))
+    assert "ETAI(I),I=1,KG:\n**********\n" in listing.write(solve(loads(LOSSY)))
     assert column == ["1.000", "*******", "*******", "*******"]
     assert table(text, "(IX(I,J),J=1,NP),I=1,KG:")[0].split()[-1] == "***"
 

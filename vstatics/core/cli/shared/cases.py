@@ -314,7 +314,7 @@ def gear_numbers(case: Transmission, asked: Iterable[str], option: str = "--gear
     names = {gear.name for gear in case.gears}
     for name in asked:
         parts = name.split(",")
-        if name not in names and len(parts) > 1 and names.issuperset(parts):
+        if name not in names and names.issuperset(parts):
             options = " ".join(f"{option} {part}" for part in parts)
             message = f"read {name!r}, expected an option for each gear: {options}"
             raise click.BadParameter(message, param_hint=option)
