@@ -160,7 +160,7 @@ class Finder:
         self.equations, self.margins = margins.equations, margins
         self.least = self.noise = NO_MARGIN * margins.units(scales)
         self.enough = -NO_MARGIN * scales.torque
-        """Margin `split` that is certainly an event, so that later ones do not matter. [N*m]"""
+        """Margin `split` that is certainly an event, so that later margins do not matter. [N*m]"""
         self.following = np.array(
             [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
         )

@@ -53,7 +53,7 @@ condition of a sequence step can become true (`awaited`), and a formula can bend
 """
 
 
-_LONGEST_PART = 9
+_INSTANTS_OF_PART = 9
 """Largest number of instants in a part of a time step."""
 FOLLOWING = ("state", "awaited", "corner")
 """Kinds of margins without influence on the choice between sticking and slipping."""
@@ -382,8 +382,8 @@ class Margins:
     def along(self, times: Floats, states: Floats, enough: float = -math.inf) -> Floats:
         """Return all margins at several times, shape (margins, times).
 
-        The margin `split` takes longest. When it has fallen below `enough`, it is calculated for at
-        most `_LONGEST_PART` more times, which complete a part of a time step, and is 0 afterwards.
+        The margin `split` takes longest. When it has fallen below `enough`, it is calculated for
+        `_INSTANTS_OF_PART` more times, which complete a part of a time step, and is 0 afterwards.
         """
         equations = self.equations
         rates, torques = equations.acting_at(times, states)
@@ -481,7 +481,7 @@ class Margins:
                 break
             room[column] = self._roomiest(slack[:, column], held[:, column]).room
             if room[column] < enough:
-                last = min(last, column + _LONGEST_PART)
+                last = min(last, column + _INSTANTS_OF_PART)
         return room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
