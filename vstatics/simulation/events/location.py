@@ -159,6 +159,8 @@ class Finder:
     def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
         self.least = self.noise = NO_MARGIN * margins.units(scales)
+        self.enough = -NO_MARGIN * scales.torque
+        """Margin `split` that is certainly an event, so that later margins do not matter. [N*m]"""
         self.following = np.array(
             [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
         )
@@ -195,7 +197,7 @@ class Finder:
             return None
         times = np.concatenate([[step.start], step.times])
         states = np.concatenate([step.first[:, None], step.states], axis=1)
-        margins = self.margins.along(times, states)
+        margins = self.margins.along(times, states, self.enough)
         later = margins[:, 1:]
         if self.follows:
             sizes = np.abs(later).max(axis=1, initial=0.0)
@@ -241,7 +243,8 @@ class Finder:
         Returns the index of the next instant in `step.times`, with time and margins of the minimum.
         The first column of `margins` belongs to the start of the step.
         """
-        for number, _, time in minima(step, margins):
+        count = len(step.nodes)
+        for number, _, time in minima(step, margins[:, : (last // count + 1) * count + 1]):
             if number > last:
                 break
             minimum = self._margins_at(step, time)

@@ -53,6 +53,8 @@ condition of a sequence step can become true (`awaited`), and a formula can bend
 """
 
 
+_INSTANTS_OF_PART = 9
+"""Largest number of instants in a part of a time step."""
 FOLLOWING = ("state", "awaited", "corner")
 """Kinds of margins without influence on the choice between sticking and slipping."""
 
@@ -377,8 +379,12 @@ class Margins:
         """Return all margins in a state at a time, shape (margins,)."""
         return self.along(np.array([time]), state[:, None])[:, 0]
 
-    def along(self, times: Floats, states: Floats) -> Floats:
-        """Return all margins at several times, shape (margins, times)."""
+    def along(self, times: Floats, states: Floats, enough: float = -math.inf) -> Floats:
+        """Return all margins at several times, shape (margins, times).
+
+        The margin `split` takes longest. When it has fallen below `enough`, it is calculated for
+        `_INSTANTS_OF_PART` more times, which complete a part of a time step, and is 0 afterwards.
+        """
         equations = self.equations
         rates, torques = equations.acting_at(times, states)
         held = equations.structure.torques @ torques
@@ -412,7 +418,7 @@ class Margins:
             # While the pump is at rest, the speed ratio jumps, but torques and margin are 0.
             parts.append((side * pump / size * (turbine - corner * pump))[None, :])
         if self.shared:
-            parts.append(self._together(slack, held)[None, :])
+            parts.append(self._together(slack, held, enough)[None, :])
         if len(self.watches) > self.deciding:
             if seen is None:
                 seen = equations.seen_at(times, states, rates, torques)
@@ -464,13 +470,18 @@ class Margins:
             ways += [1.0, 1.0] if held[mesh] >= 0 else [-1.0, -1.0]
         return np.array(ways)[:, None] * self.directions
 
-    def _together(self, slack: Floats, held: Floats) -> Floats:
-        """Return the smallest slack [N*m] of the best split at each time."""
+    def _together(self, slack: Floats, held: Floats, enough: float) -> Floats:
+        """Return the smallest slack [N*m] of the best split at each time; see `along`."""
         smallest = slack.min(axis=0)
         is_within = smallest >= -PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         room: Floats = np.maximum(smallest, 0.0)
-        for column in np.flatnonzero(~is_within):
+        last = len(room)
+        for column in np.flatnonzero(~is_within).tolist():
+            if column > last:
+                break
             room[column] = self._roomiest(slack[:, column], held[:, column]).room
+            if room[column] < enough:
+                last = min(last, column + _INSTANTS_OF_PART)
         return room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:

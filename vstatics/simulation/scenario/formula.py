@@ -288,7 +288,7 @@ def formula_tree(
     """Read the tree of a formula, which may contain allowed names only."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     language = Language((*FUNCTIONS, *words.tables), operands, "t", caret=True, of_names=_OF_NAMES)
-    read = parse(source, language._replace(quantity=quantity) if quantity else language)
+    read = _parsed(source, language._replace(quantity=quantity) if quantity else language)
     tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
         if isinstance(part, Applied):
@@ -299,6 +299,10 @@ def formula_tree(
             _check_name(part, names, words, source)
     is_speed = SHORT_SPEED not in (*words.numbers, *words.values)
     return _with_speed(tree) if is_speed else tree
+
+
+_parsed = lru_cache(maxsize=256)(parse)
+"""Trees are kept, because checks and variants parse the formulas of a scenario again."""
 
 
 def _with_speed(tree: Tree) -> Tree:

@@ -14,10 +14,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+import numpy as np
+
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
 from vstatics.core.elements.teeth.conditions import SHIFT
 from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
+from vstatics.core.numerics.arrays import Floats, Integers
 
 TEETH_PER_RATIO = 100
 """Weight of a relative change of ratio. A change of 1 % counts as much as one tooth."""
@@ -84,36 +87,36 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
     >>> next(around), next(around)
     ({'first': 20, 'second': 40}, {'first': 19, 'second': 38})
     """
-    candidates = []
-    logs = {key: math.log(count) for key, count in space.given.items()}
-    for number, steps in enumerate(_steps(len(space.moves), WIDER if wide else 1)):
-        teeth = dict(space.start)
-        for move, step in zip(space.moves, steps, strict=True):
-            if step:
-                for key, change in move.items():
-                    teeth[key] += step * change
-        if min(teeth.values()) > 0:
-            distance = _distance(space, logs, teeth)
-            if distance < math.inf:
-                candidates.append((distance, number, teeth))
-    candidates.sort(key=lambda candidate: candidate[:2])
-    return (teeth for _, _, teeth in candidates)
+    keys = [*space.start]
+    moves = np.array([[move.get(key, 0) for key in keys] for move in space.moves], dtype=int)
+    steps = _steps(len(space.moves), WIDER if wide else 1)
+    teeth = np.array([*space.start.values()]) + steps @ moves.reshape(-1, len(keys))
+    teeth = teeth[(teeth > 0).all(axis=1)]
+    distances = _distances(space, dict(zip(keys, teeth.T, strict=True)), np.zeros(len(teeth)))
+    nearest_first = np.argsort(distances, kind="stable")[: int(np.isfinite(distances).sum())]
+    return (dict(zip(keys, counts, strict=True)) for counts in teeth[nearest_first].tolist())
 
 
-def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
-    """Return the size of the change to `teeth`; infinite if a ratio changes too much."""
-    changed = [key for key, count in space.given.items() if teeth[key] != count]
-    total = float(sum(abs(teeth[key] - space.given[key]) for key in changed))
-    apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
+def _distances(space: Space, teeth: Mapping[Key, Integers], total: Floats) -> Floats:
+    """Return `total` plus the sizes of changes to `teeth`; infinite if a ratio changes too much."""
+    apart = {}
+    for key, count in space.given.items():
+        total += np.abs(teeth[key] - count)
+        distinct, places = np.unique(teeth[key], return_inverse=True)
+        # NumPy's logarithms depend on the processor, and so would the order of equal changes.
+        apart[key] = np.array([*map(math.log, distinct.tolist())])[places] - math.log(count)
     for powers in space.ratios:
-        change = abs(sum(power * apart.get(key, 0.0) for key, power in powers.items()))
-        total += TEETH_PER_RATIO * change if change <= FARTHEST_RATIO else math.inf
+        change = np.abs(sum(power * apart[key] for key, power in powers.items() if key in apart))
+        total += np.where(change <= FARTHEST_RATIO, TEETH_PER_RATIO * change, np.inf)
     return total
 
 
 @lru_cache
-def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
-    """Return all combinations of steps, one per move, whose magnitudes sum to `REACH` at most."""
+def _steps(moves: int, times: int) -> Integers:
+    """Return all combinations of steps whose magnitudes sum to `REACH` at most.
+
+    The shape is (combinations, moves).
+    """
     reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
     partial: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
@@ -122,7 +125,7 @@ def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
             for steps, left in partial
             for step in range(-left, left + 1)
         ]
-    return [steps for steps, _ in partial]
+    return np.array([steps for steps, _ in partial], dtype=int)
 
 
 def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
