@@ -420,6 +420,24 @@ def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
         assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
+def test_a_speed_ratio_is_found_beside_ratios_at_which_a_split_locks_itself() -> None:
+    """The gear set turns the turbine with F/0.77 - F, so the converter gives the rest of 3 N*m.
+
+    With the output at 21 rad/s, w_T = 11 * 21 - 10 w. Above a speed ratio friction holds the set.
+    """
+    text = BY_TURBINE.replace("mechanisms:", "drag: {turbine: 3 N*m}\nmechanisms:").replace(
+        "turbine, second: engine, third: out, ratio: -2",
+        "engine, second: out, third: turbine, ratio: 1.1, efficiency: 0.7",
+    )
+    trace = read_trace(b"time [s],speed [m/s]\n0,20.999\n1,21.001\n", "t.csv")
+    steps, force = drive(loads(text), trace, GearChoice()).steps, 2.0
+    [speed], [torque] = steps["engine speed [rpm]"] * math.pi / 30, steps["engine torque [N*m]"]
+    i = 11 * 21 / speed - 10
+    pump = 4e-3 * (1 - i) * speed**2
+    assert (2 - i) * pump == pytest.approx(3 + force - force / 0.77, rel=1e-8)
+    assert torque == pytest.approx(pump + force / 0.77, rel=1e-8)
+
+
 CREEP_POINTS = [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]
 CREEP = """links: [engine, turbine, shaft, out]
 load: {{speed: 2000 rpm, torque: 150 N*m}}
