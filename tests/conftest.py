@@ -167,11 +167,12 @@ def pytest_ignore_collect(collection_path: Path) -> bool | None:
 def pytest_collect_file(
     file_path: Path,
 ) -> Generator[None, list[pytest.Collector], list[pytest.Collector]]:
-    """Search no examples in docstrings of tests, which have none."""
+    """Search for examples only in modules that have some, and not in tests."""
     collectors = yield
-    if not file_path.name.startswith("test_"):
-        return collectors
-    return [each for each in collectors if not isinstance(each, DoctestModule)]
+    others = [each for each in collectors if not isinstance(each, DoctestModule)]
+    if others == collectors or file_path.name.startswith("test_"):
+        return others
+    return collectors if b">>> " in file_path.read_bytes() else others
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -18,7 +18,6 @@ from tests.sweep.sweeps import CASE_TEXT, begin, finished
 from vstatics.core.extras import build
 from vstatics.core.jobs import cluster as workers
 
-pytest.importorskip("distributed")
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
 SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
@@ -63,6 +62,12 @@ class Cluster:
     def begin(self, *arguments: object) -> Any:
         """Start a sweep on the cluster."""
         return begin(*arguments, "--scheduler", self.address, cwd=self.folder)
+
+
+@pytest.fixture(autouse=True)
+def _distributed() -> None:
+    """Import it for tests of a cluster only: it takes half a second."""
+    pytest.importorskip("distributed")
 
 
 @pytest.fixture

@@ -146,7 +146,7 @@ def test_results_can_only_be_read_and_copies_written() -> None:
 def test_results_of_threads_do_not_meet() -> None:
     def work(number: int) -> None:
         before: list[tuple[Array, float]] = []
-        for turn in range(60):
+        for turn in range(30):
             low = -3 - number - turn / 100
             before.append((sweep(low).ratio[:, 1], low))
             assert all(is_right(*kept) for kept in before), (number, turn)

@@ -146,12 +146,12 @@ def test_calls_in_any_order_give_the_same() -> None:
 
 
 def test_plans_are_kept_for_a_number_of_gears_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(variants, "REMEMBERED", 20)
+    monkeypatch.setattr(variants, "REMEMBERED", 5)
     with no_plans():
-        for seed in range(40):
+        for seed in range(10):
             case, u, _ = random_case(seed)
             solve(case, ratios=u[:2])
-        assert len(variants._plans) == 20
+        assert len(variants._plans) == 5
 
 
 @pytest.mark.slow

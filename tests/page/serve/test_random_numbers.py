@@ -69,7 +69,7 @@ def check_where_numbers_are_read(data: st.DataObject, case: Transmission) -> Non
             assert varied.written_number(path, None) == number.field.value
 
 
-@examples(5, 14, 120)
+@examples(3, 14, 120)
 def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_it(
     examples: int,
 ) -> None:
@@ -115,7 +115,7 @@ def check_paths_of_numbers(data: st.DataObject, case: Transmission) -> None:
         assert path in changes
 
 
-@examples(6, 14, 120)
+@examples(4, 14, 120)
 def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(examples: int) -> None:
     try_out(check_paths_of_numbers, examples)
 
@@ -176,7 +176,7 @@ def differing(one: str, other: str) -> tuple[str, str]:
     return one[begin : len(one) - end], other[begin : len(other) - end]
 
 
-@settings(phases=[Phase.generate], max_examples=count(5, 120))
+@settings(phases=[Phase.generate], max_examples=count(3, 120))
 @given(st.data(), transmissions(torsional=True), FORMS)
 def test_a_saved_number_is_that_of_a_sweep_and_all_else_of_the_file_stays(
     served: ServedCase, data: st.DataObject, case: Transmission, form: Form

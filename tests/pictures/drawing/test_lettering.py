@@ -60,8 +60,8 @@ def test_labels_keep_their_order_and_their_distance() -> None:
 
 
 def test_a_text_is_cut_where_one_more_letter_would_not_fit() -> None:
-    """Even a name of 100,000 letters is cut at once."""
-    for text in ("low and reverse brake", "a b  c d e f g h i j k l m n", "ab " * 33_334):
+    """Even a name of 15,000 letters is cut at once."""
+    for text in ("low and reverse brake", "a b  c d e f g h i j k l m n", "ab " * 5000):
         for room in (3, 20, 45.5, 70):
             end = next(
                 end for end in range(len(text)) if width(f"{text[: end + 1].rstrip()}…") > room

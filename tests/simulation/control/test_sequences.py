@@ -6,7 +6,7 @@ import pytest
 
 from tests.simulation.control.written import DOG, faults, simulated, steps_of, written
 from vstatics.core.errors import path_text
-from vstatics.simulation import simulate
+from vstatics.simulation import course, simulate
 
 REST = """duration: 4
 start: {speeds: {e: 0, o: 0}}
@@ -73,12 +73,13 @@ sequences:
     assert [step for step, _ in steps_of(motion)][:4] == [1, 2, 1, 2]
 
 
-def test_steps_without_end_at_one_instant_are_told() -> None:
+def test_steps_without_end_at_one_instant_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(course, "_MOST_STEPS_AT_ONCE", 50)
     mad = 'mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}'
     stopped = simulate(written(f"{REST}set: {{a: 0}}\nsequences: {{{mad}}}\n")).stopped
     assert stopped is not None
     assert "mad" in stopped.message
-    assert "1000 steps" in stopped.message
+    assert "more than 50 steps" in stopped.message
 
 
 def test_a_step_shifts_and_what_has_a_control_goes_by_that() -> None:

@@ -36,15 +36,6 @@ def extrapolated(change: Smooth, begin: list[float], duration: float) -> Any:
     return narrow + (narrow - wide) * WIDTHS[1] / (WIDTHS[0] - WIDTHS[1])
 
 
-def test_a_clutch_that_switches_with_its_slip_holds_the_slip() -> None:
-    """The slip falls by 310 rad/s^2 to 20 rad/s; then the mean torque 250/6 keeps it."""
-    start = "duration: 2\nstart: {speeds: {a: 100, b: 0}}\n"
-    given = f"{start}controls: {{C: \"300*(slip('C') > 20)\"}}\ntorques: {{a: 50}}\n"
-    begin = 80 / 310
-    last = 60 * begin + 250 / 6 / 5 * (2 - begin)
-    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last + 20, last], rel=1e-9)
-
-
 @pytest.mark.parametrize("least", [0, 40])
 def test_a_slide_with_a_clipped_control_ends_where_the_clutch_would_have_to_drive(
     least: int,

@@ -142,7 +142,7 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     >>> case_path("load.speed [rpm]", case).name, case_path("gears.*.torques.out", case).quantity
     ('load.speed [rpm]', 'torques')
     """
-    numbers, parts = numbers_of(case), part_numbers(case)
+    numbers, parts = case.derived(numbers_of), case.derived(part_numbers)
     path, unit = text, None
     if text not in numbers and text not in parts:  # names in the path can be quoted
         path, unit = with_unit(text)
@@ -154,7 +154,7 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
 
 def known_paths(case: Transmission) -> list[str]:
     """Return all paths of a case."""
-    return [*numbers_of(case), *part_numbers(case)]
+    return [*case.derived(numbers_of), *case.derived(part_numbers)]
 
 
 def no_path(text: str, case: Transmission) -> str:

@@ -197,7 +197,7 @@ TOKENS = st.sampled_from(
 
 
 @given(DECKS, st.data(), st.integers(0, 6000), st.randoms(use_true_random=False))
-@settings(max_examples=count(120, 900))
+@settings(max_examples=count(80, 900))
 def test_decks_with_words_replaced_dropped_or_doubled_end_in_a_case_or_located_errors(
     data: bytes, draws: st.DataObject, length: int, rng: Random
 ) -> None:

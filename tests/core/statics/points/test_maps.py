@@ -221,7 +221,7 @@ def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path) -> None:
         ("0,0,0.9\n0,0,0.8\n", "line 3: 0 rpm, 0 lb ft is on line 2, too; expected each point"),
         ("0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n", "`map.csv`, line 2: read 1.2, expected an eff"),
         ("0,0,0\n0,5,0\n9,0,0\n9,5,1\n", "read 0, .*; omit all rows with speed 0 or torque 0"),
-        ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
+        ("0,0,0.9\n0,5,0.9\n", "`map.csv`: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
     ):
         (tmp_path / "map.csv").write_text(f"speed [rpm],torque [lb ft],efficiency\n{rows}", "utf-8")

@@ -57,7 +57,7 @@ def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Calculate every gear of a case at many points; see `vstatics.solve`."""
     vary = dict(vary)  # accept a table of pandas, too
     arrays, variants = together(vary)
-    known = case.part_numbers() if vary.keys() - numbers_of(case).keys() else {}
+    known = case.part_numbers() if vary.keys() - case.derived(numbers_of).keys() else {}
     parts = {path: arrays.pop(path) for path in vary if path in known}
     columns = columns_of(case, arrays, known)
     with np.errstate(all="ignore"):

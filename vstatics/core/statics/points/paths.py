@@ -103,7 +103,7 @@ def columns_of(
     >>> columns_of(case, {"load.torque": np.array([100.0, 200.0])})
     {CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}
     """
-    known = {dotted(keys): numbers for keys, numbers in _named(case)}
+    known = case.derived(_by_path)
     columns: dict[CaseNumber, Floats] = {}
     for path, column in arrays.items():
         numbers = known.get(path)
@@ -138,7 +138,12 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
     >>> numbers_of(case)["gears.1.torques.2"]
     (CaseNumber(gear=0, quantity='torques', owner=2),)
     """
-    return {dotted(keys): tuple(numbers) for keys, numbers in _named(case) if numbers}
+    return {path: tuple(numbers) for path, numbers in case.derived(_by_path).items() if numbers}
+
+
+def _by_path(case: Transmission) -> dict[str, list[CaseNumber]]:
+    """Return the numbers of a case by path; a path can have no numbers in this case."""
+    return {dotted(keys): numbers for keys, numbers in _named(case)}
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
