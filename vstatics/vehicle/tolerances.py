@@ -12,7 +12,7 @@ NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest torque. [-]"""
 SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque counts as equal to a class bound or threshold. [-]"""
-SAME_POWER_OF_GEARS = 1e-7
+SAME_GEAR_POWER = 1e-7
 """Difference up to which the powers of two gears count as equal, relative to engine and wheels. [-]
 
 It exceeds the power of open clutches, which `LEAST_FORCE_EXCESS` leaves above 0."""

@@ -51,7 +51,7 @@ from vstatics.vehicle.tolerances import (
     LEAST_OPENING,
     SAME_DRAG_TORQUE,
     SAME_ENGINE_TORQUE,
-    SAME_POWER_OF_GEARS,
+    SAME_GEAR_POWER,
 )
 
 ENLARGEMENT = 16
@@ -212,7 +212,7 @@ class CycleSteps(NamedTuple):
         for gear in sorted(ahead, key=lambda gear: float(self.engine.ratios[gear])):
             steps = self._in_gears(np.full(len(self.gears), gear))
             rows, powers = steps.powers_of(moving)
-            better = powers < best[rows] - SAME_POWER_OF_GEARS * (np.abs(powers) + at_wheels[rows])
+            better = powers < best[rows] - SAME_GEAR_POWER * (np.abs(powers) + at_wheels[rows])
             best[rows[better]], gears[rows[better]] = powers[better], gear
         return gears
 
