@@ -84,15 +84,13 @@ class Exciting(NamedTuple):
         if self.torque is None:
             return [Harmonic(order) for order in dict.fromkeys(self.orders or ())]
         table = read_torque_table(*files.read_input(self.torque))
-        if self.orders is None:
-            return table
         by_order = {harmonic.order: harmonic for harmonic in table}
-        for order in self.orders:
+        for order in self.orders or ():
             if order not in by_order:
                 known = ", ".join(f"{in_table:g}" for in_table in by_order)
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
-        return [by_order[order] for order in dict.fromkeys(self.orders)]
+        return [by_order[order] for order in dict.fromkeys(self.orders or by_order)]
 
 
 def drawn_torques(asked: PictureFiles) -> list[Harmonic]:

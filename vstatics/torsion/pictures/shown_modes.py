@@ -39,9 +39,7 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
         names = listed([gear.name for gear in modes_by_gear])
         subject = f"gear {names} has" if len(modes_by_gear) == 1 else f"gears {names} have"
         reasons = (text for gear in modes_by_gear for text in (gear.error, *gear.warnings) if text)
-        reason = next(reasons, "")
-        because = f": {reason}" if reason else ""
-        raise CaseError("E412", f"{subject} no natural frequency{because}")
+        raise CaseError("E412", ": ".join([f"{subject} no natural frequency", *[*reasons][:1]]))
     return modes_by_gear
 
 

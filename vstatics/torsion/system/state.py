@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.open_converters import without_lambda
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.solve import solve
 from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
@@ -41,8 +40,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
         results = solve(case.replace(gears=[gear]))
         if results.conflict[0]:
             return f"{CONFLICT.english}: {CONFLICT.meaning}"
-        holding = [number for number in case.freewheels if results.holds[0, number - 1]]
-        gear = with_engaged(gear, holding)
+        gear = results.with_freewheels_engaged.gears[0]
     system = torsional_system(case, gear, slopes)
     if system.free().shape[1]:
         return system

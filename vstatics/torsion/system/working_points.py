@@ -9,7 +9,7 @@ such as a lock-up clutch, they determine the speed ratio. In neutral, a converte
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
@@ -137,11 +137,9 @@ class _WorkingPoints:
                 # The clutch carries the torque that the pump does not take, without vibration.
                 self.gear, self.at_slip, self.driving = self.gear._replace(slip={}), alone, []
         unknown = [converter for converter in self.closed if converter.name not in ratios]
-        if unknown and self._is_neutral(ratios, unknown):
-            self.filled, self.closed = (
-                [converter for converter in converters if converter not in unknown]
-                for converters in (self.filled, self.closed)
-            )
+        trial = dict.fromkeys((converter.name for converter in unknown), 1.0)
+        if trial and np.isnan(solve(self._case_at(ratios | trial)).ratio[0]):  # neutral
+            self.filled = self.closed = [pump for pump in self.closed if pump not in unknown]
         elif len(unknown) == 1 and self.at_slip is None:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
@@ -188,11 +186,6 @@ class _WorkingPoints:
             mesh.name: mesh.ratio for mesh in self.case.mechanisms if not math.isnan(mesh.ratio)
         }
         return known | {self.names[n - 1]: i for n, i in self.gear.speed_ratios.items()}
-
-    def _is_neutral(self, ratios: Ratios, unknown: Iterable[Converter]) -> bool:
-        """Return whether the gear has no ratio, so that its converters carry nothing."""
-        trial = dict.fromkeys((converter.name for converter in unknown), 1.0)
-        return bool(np.isnan(solve(self._case_at({**trial, **ratios})).ratio[0]))
 
     def _case_at(self, ratios: Ratios) -> Transmission:
         of_case = self.opened.mechanisms[self.opened.own_mechanisms]

@@ -7,7 +7,6 @@ calls `frequencies` through the declaration of this annex if an expression conta
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -104,8 +103,7 @@ def frequencies(
     omegas = np.full((len(values), len(case.gears), count), np.nan)
     tied_up, conflict = np.zeros((2, len(values)), np.bool_)
     kinds = _structures(case, targets, values)
-    many = kinds.max(initial=0) * FEW_EQUAL_RATIOS > len(values) and not case.freewheels
-    many = many and not any(spring.points for spring in case.springs)
+    many = kinds.max(initial=0) * FEW_EQUAL_RATIOS > len(values) and not _depends_on_torque(case)
     for gear, modes in asked.items():
         left = np.arange(len(values))
         if many:
@@ -122,7 +120,7 @@ def frequencies(
                 start = _elastic_and_heavy(
                     case, system, targets, alike[:1] if first is None else first
                 )
-                of_gear = variant_frequencies(
+                omegas[rows[:, np.newaxis], gear, modes] = variant_frequencies(
                     system,
                     modes,
                     stiffnesses=stiffnesses,
@@ -130,7 +128,6 @@ def frequencies(
                     variants=len(alike),
                     first=first_variant(*start),
                 )
-                omegas[rows[:, np.newaxis], gear, modes] = of_gear
     return VariedFrequencies(omegas, tied_up, conflict)
 
 
@@ -147,13 +144,15 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
     require("torsion", "omega")
     varied = [target.owner + 1 for target in targets if target.quantity == "inertia"]
     for link in varied:
-        if link in case.masses:
-            case = replace(case, masses={**case.masses, link: 1.0})
-        else:
-            case = replace(case, inertias={**case.inertias, link: 1.0})
+        heavy = "masses" if link in case.masses else "inertias"
+        case = case.replace(**{heavy: {**getattr(case, heavy), link: 1.0}})
     systems = [vibrating(case, gear) for gear in case.gears]
     counts = [1 if isinstance(system, str) else coordinates(system).modes for system in systems]
     return [str(number) for number in range(1, max(counts, default=0) + 1)]
+
+
+def _depends_on_torque(case: Transmission) -> bool:
+    return bool(case.freewheels) or any(spring.points for spring in case.springs)
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
@@ -161,8 +160,7 @@ def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: F
 
     Freewheels and nonlinear springs depend on torques. With these, efficiencies must be equal, too.
     """
-    by_torque = case.freewheels or any(spring.points for spring in case.springs)
-    deciding = ("ratio", "efficiency") if by_torque else ("ratio",)
+    deciding = ["ratio", *["efficiency"] * _depends_on_torque(case)]
     columns = [place for place, target in enumerate(targets) if target.quantity in deciding]
     numbers = values[:, columns]
     if not len(values) or (numbers == numbers[0]).all():
