@@ -30,7 +30,7 @@ from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, Ri
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.sliding import Sliding
 from vstatics.simulation.system.structure import MotionStructure, null
-from vstatics.simulation.system.values import ValueChanges
+from vstatics.simulation.system.values import OfTorques, ValueChanges
 from vstatics.simulation.system.variators import VariatorTorques
 from vstatics.simulation.system.varying_losses import VaryingLosses
 from vstatics.simulation.tolerances import (
@@ -337,10 +337,14 @@ class Equations:
         seen = np.vstack([rates, states[self.motions : self.values.stop], shares])
         if not self.layout.derived:
             return seen
-        at = zip(times.tolist(), states.T, rates.T, torques.T, strict=True)
-        return np.vstack(
-            [seen, np.array([[f(*values) for f in self.changes.derived] for values in at]).T]
+        at = [*zip(times.tolist(), states.T, rates.T, torques.T, strict=True)]
+        along = (
+            derived.row @ torques
+            if isinstance(derived, OfTorques)
+            else [derived(*values) for values in at]
+            for derived in self.changes.derived
         )
+        return np.vstack([seen, *along])
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Return the integrands of works and losses at several times [W]."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -196,6 +197,18 @@ Derived = Callable[[float, Floats, Floats, Floats], float]
 """Quantity as a function of time, state, rates of ports and torques of ports."""
 
 
+@dataclass(frozen=True)
+class OfTorques:
+    """Quantity that is a sum of multiples of the torques of ports."""
+
+    row: Floats
+    """Factors of the torques, shape (ports,)."""
+
+    def __call__(self, _time: float, _state: Floats, _rates: Floats, torques: Floats) -> float:
+        """Return the quantity in a state, as a `Derived` function."""
+        return float(self.row @ torques)
+
+
 def _derived(equations: KnownMotion, seen: Seen) -> Derived:
     names = equations.system.names
     if seen.word == "acceleration":
@@ -238,7 +251,7 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
     structure = equations.structure
     row = structure.free[link] @ structure.accelerations
     if not equations.light or not structure.light[link].any():
-        return lambda _time, _state, _rates, torques: float(row @ torques)
+        return OfTorques(row)
 
     def with_light(time: float, state: Floats, rates: Floats, torques: Floats) -> float:
         """Return the acceleration of a link without inertia from a difference of speeds."""
@@ -277,4 +290,4 @@ def _torque(equations: KnownMotion, name: str) -> Derived:
     for index, row in structure.contact_rows.items():
         if layout.contacts + index in ports:
             by_ports += structure.torques[row]
-    return lambda _time, _state, _rates, torques: float(by_ports @ torques)
+    return OfTorques(by_ports)
