@@ -6,7 +6,7 @@ import math
 import threading
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
-from functools import lru_cache, partial
+from functools import partial
 from operator import attrgetter
 from typing import Any, Literal, get_args
 
@@ -88,15 +88,13 @@ def solve_variants(
         alone = _arrays_of_one(case, [(plans, given[:, 0].tolist()) for plans, given in calls])
         return {name: array[np.newaxis] for name, array in alone.items()}
     tables = _tables(calls, case.derived(_widths), values)
-    shape = variants, len(case.gears)
-    return {
-        name: _placeholder(name, (*shape, width or 0))
-        if (table := tables.get(name)) is None
-        else table[..., 0]
-        if width is None
-        else table
-        for name, width in case.derived(row_counts).items()
+    _, places, others = case.derived(_layout)
+    arrays = {
+        name: np.broadcast_to(array, (variants, *array.shape)) for name, array in others.items()
     }
+    for name, (_, place) in places.items():
+        arrays[name] = tables[name] if isinstance(place, slice) else tables[name][..., 0]
+    return arrays
 
 
 def solve_one(case: Transmission) -> dict[str, Any]:
@@ -177,7 +175,11 @@ def _arrays_of_one(
 def _layout(
     case: Transmission,
 ) -> tuple[int, dict[str, tuple[type, int | slice]], dict[str, Floats]]:
-    """Return the number of results of a gear, the places of arrays there, and other arrays."""
+    """Return the number of results of a gear, the places of arrays there, and other arrays.
+
+    The other arrays are read-only and need no memory, because all values are equal (True for
+    flags).
+    """
     places: dict[str, tuple[type, int | slice]] = {}
     widths, counts = case.derived(_widths), case.derived(row_counts)
     count = 0
@@ -185,9 +187,12 @@ def _layout(
         place = count if counts[name] is None else slice(count, count + width)
         places[name] = ARRAYS[name].dtype, place
         count += width
-    gears = len(case.gears)
-    left = {name: width or 0 for name, width in counts.items() if name not in widths}
-    return count, places, {name: _placeholder(name, (gears, n)) for name, n in left.items()}
+    others: dict[str, Any] = {}
+    for name, rows in counts.items():
+        if name not in widths:
+            value = ARRAYS[name].dtype(0.0 if name in SLIPPING else math.nan)
+            others[name] = np.broadcast_to(value, (len(case.gears), rows or 0))
+    return count, places, others
 
 
 def _numbers(case: Transmission) -> list[float]:
@@ -286,13 +291,6 @@ def _gear_inputs(columns: GearNumbers) -> _GearInputs:
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
     return [None] * mechanisms if given is None else list(given.T)
-
-
-@lru_cache(maxsize=REMEMBERED)
-def _placeholder(name: str, shape: tuple[int, ...]) -> Any:
-    """Return a read-only array of equal values (True for flags) that needs no memory."""
-    value = 0.0 if name in SLIPPING else math.nan
-    return np.broadcast_to(ARRAYS[name].dtype(value), shape)
 
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {
