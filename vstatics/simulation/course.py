@@ -57,6 +57,7 @@ from vstatics.simulation.tolerances import (
     NO_STEP,
     SAME_INSTANT,
     SIGHT,
+    SLIDING,
     SMALL_VALUE,
     STANDING,
     STEP_PART,
@@ -378,7 +379,7 @@ class EventRun:
         along = []
         for place, slide in self.slides.items():
             first, second = self.corners[place.corner].compared[place.number].at(time, seen)
-            is_near = abs(first - second) <= _FAR_FROM_JUMP * slide.near
+            is_near = abs(first - second) <= SLIDING / NEAR_JUMP * slide.near
             if is_near and abs(shares[slide.share]) <= 1 + STANDING:
                 along.append(place)
         if len(along) == len(self.slides):
