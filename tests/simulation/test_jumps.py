@@ -120,6 +120,24 @@ def test_bounces_that_become_ever_shorter_come_to_rest() -> None:
     assert motion.energy.heat["1"] == pytest.approx(144.0, rel=1e-6)
 
 
+@pytest.mark.slow
+def test_swings_between_two_jumps_of_a_clutch_and_a_load_come_to_rest() -> None:
+    """J = 1 kg*m^2 at 3 rad/s, drawn back by 98 N*m; the clutch takes all of its 4.5 J."""
+    case = (
+        "inertias: {a: 1}\nsprings: {s: {links: [a, housing], stiffness: 1000}}\n"
+        "shift_elements: {B: {links: [a, housing], capacity: 300 N*m}}\n"
+    )
+    control = "10 + 5*sign(slip('B')) + 20*sign(twist('s'))"
+    motion = simulated(
+        f'duration: 0.5\nstart: {{speeds: {{a: 3}}}}\ncontrols: {{B: "{control}"}}\n'
+        "torques: {a: \"-98*sign(twist('s'))\"}\n",
+        case,
+    )
+    assert motion.speeds[-1, 0] == pytest.approx(0.0, abs=1e-6)
+    assert motion.energy.heat["B"] == pytest.approx(4.5, rel=1e-5)
+    assert len(motion.events) < 100
+
+
 MOVING = [
     "100*(speed < 300 + t)",
     "100*(300 > speed - t)",

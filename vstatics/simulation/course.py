@@ -31,6 +31,7 @@ from vstatics.simulation.events.selection import (
 from vstatics.simulation.events.sequence_commands import value_of, with_actions, with_states
 from vstatics.simulation.events.sequences import SequenceProgress
 from vstatics.simulation.events.sides import Judge, end_of_slide
+from vstatics.simulation.events.split import known_limits
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.unbounded import unbounded
@@ -57,6 +58,7 @@ from vstatics.simulation.tolerances import (
     NO_STEP,
     SAME_INSTANT,
     SIGHT,
+    SLIDING,
     SMALL_VALUE,
     STANDING,
     STEP_PART,
@@ -105,6 +107,7 @@ class EventRun:
         self, record: Record, engaged: tuple[int, ...], rtol: float, watch: Guard | None = None
     ) -> None:
         self.record = record
+        known_limits.clear()
         system = self.system = record.system
         self.selection = ModeSelection(system)
         self.sequences = [SequenceProgress(sequence) for sequence in system.scenario.sequences]
@@ -378,7 +381,7 @@ class EventRun:
         along = []
         for place, slide in self.slides.items():
             first, second = self.corners[place.corner].compared[place.number].at(time, seen)
-            is_near = abs(first - second) <= _FAR_FROM_JUMP * slide.near
+            is_near = abs(first - second) <= SLIDING / NEAR_JUMP * slide.near
             if is_near and abs(shares[slide.share]) <= 1 + STANDING:
                 along.append(place)
         if len(along) == len(self.slides):

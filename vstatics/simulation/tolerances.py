@@ -109,6 +109,8 @@ TIGHT_SLACK = 1e-6
 """Largest difference from the smallest slack that counts as 0, relative to the largest slack."""
 REGULAR_CORNER = 1e-9
 """Determinant below which torque limits are nearly parallel and have no intersection."""
+SAME_ROOM = 1e-12
+"""Difference between smallest slacks that is rounding, relative to the largest slack."""
 NO_SPLIT = 1e-12
 """Residual of the least-squares problem below which no split is within all limits."""
 WITHIN_LIMITS = 1e-6

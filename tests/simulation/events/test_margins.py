@@ -15,12 +15,13 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from tests.chance import count, seeded, with_slow
+from tests.chance import count, generator, seeded, with_slow
 from tests.simulation.boxes import capacity
 from tests.simulation.reference import element_column, mechanism_column
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Points, Scenario, Start, simulate
+from vstatics.simulation.events.split import widest
 
 DURATION = 2.0
 
@@ -157,3 +158,21 @@ def test_a_block_of_lossy_sets_holds_as_long_as_any_split_fits(seed: int) -> Non
     block = random_block(seeded(seed))
     if block.used(0.0) < 0.98:
         assert_holds_as_long_as_it_can(block)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_smallest_slack_of_a_split_is_that_of_a_linear_programme(seed: int) -> None:
+    """Limits of many components in several directions, for the same directions again and again."""
+    chance = generator(seed)
+    size = limits, count = int(chance.integers(14, 20)), int(chance.integers(5, 8))
+    whole = chance.integers(-2, 3, size).astype(float)
+    directions = whole if seed % 2 else chance.normal(size=size)
+    bounds = [(None, None)] * count + [(None, 10.0)]
+    rows = np.hstack([-directions, np.ones((limits, 1))])
+    first = chance.normal(size=limits)
+    for each in range(20):
+        slack = first + 0.05 * each * chance.normal(size=limits)
+        slack /= np.abs(slack).max()
+        best = linprog([0.0] * count + [-1.0], A_ub=rows, b_ub=slack, bounds=bounds)
+        assert best.x is not None
+        assert widest(slack, directions).min() == pytest.approx(best.x[-1], abs=1e-9)

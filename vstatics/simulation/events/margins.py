@@ -25,6 +25,7 @@ from vstatics.simulation.tolerances import (
     NO_MARGIN,
     NOT_ZERO,
     PASSED_LIMIT,
+    SAME_ROOM,
     SHARED_TORQUE,
     TIGHT_SLACK,
 )
@@ -494,7 +495,13 @@ class Margins:
         """
         directions = self._directions(held)
         best = split_room(slack, directions, np.ones(len(slack)))
-        while best.room <= 0:
+        if best.room > 0 or not self.either:
+            return best
+        of_one_sign = np.delete(np.arange(len(slack)), np.r_[tuple(self.either)])
+        most = np.inf
+        if len(of_one_sign):
+            most = widest(slack[of_one_sign], directions[of_one_sign]).min()
+        while best.room <= min(0.0, most - SAME_ROOM * largest(slack)):
             tight = best.tight
             others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]
             roomiest = max(others, key=attrgetter("room"), default=best)

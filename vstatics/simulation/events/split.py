@@ -8,11 +8,18 @@ from itertools import combinations
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats, largest
-from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
+from vstatics.core.numerics.arrays import Floats, Integers, largest
+from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, SAME_ROOM, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
 """Number of candidate splits up to which all are enumerated, instead of linear programming."""
+_MOST_ROOM = 10.0
+"""Largest result of linear programming for the smallest slack, relative to the largest slack."""
+known_limits: dict[tuple[int, bytes], list[tuple[Integers, Floats]]] = {}
+"""Limits with equal slacks in a best split, and matrix from these slacks to it, by directions.
+
+Several splits can be best, so each run begins without them: no result depends on earlier runs.
+"""
 
 
 def widest(slack: Floats, directions: Floats) -> Floats:
@@ -75,20 +82,40 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:
-    """Return the split with the largest smallest slack, by linear programming."""
+    """Return the split with the largest smallest slack, by linear programming.
+
+    In the best split of most slacks, d + 1 slacks are equal. Whether the weights of these limits
+    are positive depends on the directions alone, so other slacks often have the same limits.
+    """
+    scale = largest(slack) or 1.0
+    known = known_limits.setdefault((directions.shape[1], directions.tobytes()), [])
+    for rows, to_split in known:
+        split: Floats = to_split @ slack[rows]
+        slacks = slack + directions @ split
+        if slacks.min() >= slacks[rows].max() - SAME_ROOM * scale:
+            return split
     from scipy.optimize import linprog
 
     count = directions.shape[1]
     goal = np.zeros(count + 1)
     goal[-1] = -1.0
-    scale = largest(slack) or 1.0
     steep = largest(directions) or 1.0
     limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
-    bounds = [(None, None)] * count + [(None, 10.0)]
+    bounds = [(None, None)] * count + [(None, _MOST_ROOM)]
     solution = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
     if not solution.success or solution.x is None:
         return np.zeros(count)
-    return solution.x[:-1] * scale / steep
+    split = solution.x[:-1] * scale / steep
+    # The weights belong to equal slacks; other small slacks complete the limits of a corner.
+    order = np.lexsort((slack + directions @ split, solution.ineqlin.marginals > -REGULAR_CORNER))
+    rows = order[:0]
+    for row in order:
+        more = np.append(rows, row)
+        if np.linalg.matrix_rank(limits[more], tol=REGULAR_CORNER) == len(more):
+            rows = more
+    if len(rows) > count and solution.x[-1] < _MOST_ROOM:
+        known.append((rows, np.linalg.inv(limits[rows])[:count] / steep))
+    return split
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
