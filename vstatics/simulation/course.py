@@ -31,7 +31,6 @@ from vstatics.simulation.events.selection import (
 from vstatics.simulation.events.sequence_commands import value_of, with_actions, with_states
 from vstatics.simulation.events.sequences import SequenceProgress
 from vstatics.simulation.events.sides import Judge, end_of_slide
-from vstatics.simulation.events.split import known_limits
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.unbounded import unbounded
@@ -107,7 +106,6 @@ class EventRun:
         self, record: Record, engaged: tuple[int, ...], rtol: float, watch: Guard | None = None
     ) -> None:
         self.record = record
-        known_limits.clear()
         system = self.system = record.system
         self.selection = ModeSelection(system)
         self.sequences = [SequenceProgress(sequence) for sequence in system.scenario.sequences]

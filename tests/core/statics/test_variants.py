@@ -192,6 +192,7 @@ OTHER: dict[str, object] = {
     "load": Load(100.0, 9.0),
     "inertias": {1: 0.5},
     "masses": {2: 300.0},
+    "points": ((0.0, 0.0), (0.1, 20.0)),
     "link_names": ("a", "b", "c", "d"),
     "balance": None,  # it acts as given torques, which are in the key
 }

@@ -21,7 +21,7 @@ from tests.simulation.reference import element_column, mechanism_column
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Points, Scenario, Start, simulate
-from vstatics.simulation.events.split import widest
+from vstatics.simulation.events.split import KnownLimits, widest
 
 DURATION = 2.0
 
@@ -169,10 +169,10 @@ def test_the_smallest_slack_of_a_split_is_that_of_a_linear_programme(seed: int) 
     directions = whole if seed % 2 else chance.normal(size=size)
     bounds = [(None, None)] * count + [(None, 10.0)]
     rows = np.hstack([-directions, np.ones((limits, 1))])
-    first = chance.normal(size=limits)
+    first, known = chance.normal(size=limits), KnownLimits()
     for each in range(20):
         slack = first + 0.05 * each * chance.normal(size=limits)
         slack /= np.abs(slack).max()
         best = linprog([0.0] * count + [-1.0], A_ub=rows, b_ub=slack, bounds=bounds)
         assert best.x is not None
-        assert widest(slack, directions).min() == pytest.approx(best.x[-1], abs=1e-9)
+        assert widest(slack, directions, known).min() == pytest.approx(best.x[-1], abs=1e-9)

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
-from vstatics.simulation.events.split import least, widest
+from vstatics.simulation.events.split import KnownLimits, least, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
@@ -94,6 +94,7 @@ class SplitRoom(NamedTuple):
     """Slacks of the split whose smallest slack is largest."""
     room: float
     """Smallest slack of `widest`, negative if no split is within all limits. [N*m]"""
+    known: KnownLimits
 
     @property
     def tight(self) -> Booleans:
@@ -104,13 +105,14 @@ class SplitRoom(NamedTuple):
         """Return the slacks for the opposite torque of the mechanism whose slacks are in `rows`."""
         turn = np.ones(len(self.ways))
         turn[rows] = -1.0
-        return split_room(self.slack * turn, self.directions * turn[:, None], self.ways * turn)
+        slack, directions = self.slack * turn, self.directions * turn[:, None]
+        return split_room(slack, directions, self.ways * turn, self.known)
 
 
-def split_room(slack: Floats, directions: Floats, ways: Floats) -> SplitRoom:
+def split_room(slack: Floats, directions: Floats, ways: Floats, known: KnownLimits) -> SplitRoom:
     """Return the split of redundant torques whose smallest slack is largest."""
-    slacks = widest(slack, directions)
-    return SplitRoom(slack, directions, ways, slacks, float(slacks.min()))
+    slacks = widest(slack, directions, known)
+    return SplitRoom(slack, directions, ways, slacks, float(slacks.min()), known)
 
 
 class Awaited(NamedTuple):
@@ -130,8 +132,8 @@ class Awaited(NamedTuple):
 class Margins:
     """Margins of a motion between two events, in N*m or rad/s."""
 
-    def __init__(self, equations: Equations) -> None:
-        self.equations = equations
+    def __init__(self, equations: Equations, known: KnownLimits) -> None:
+        self.equations, self.known = equations, known
         system, layout, structure = equations.system, equations.layout, equations.structure
         self.watches: list[Watch] = []
         self.is_torque: list[bool] = []
@@ -494,13 +496,13 @@ class Margins:
         mechanism at its limit can gain slack by the other sign.
         """
         directions = self._directions(held)
-        best = split_room(slack, directions, np.ones(len(slack)))
+        best = split_room(slack, directions, np.ones(len(slack)), self.known)
         if best.room > 0 or not self.either:
             return best
         of_one_sign = np.delete(np.arange(len(slack)), np.r_[tuple(self.either)])
         most = np.inf
         if len(of_one_sign):
-            most = widest(slack[of_one_sign], directions[of_one_sign]).min()
+            most = widest(slack[of_one_sign], directions[of_one_sign], self.known).min()
         while best.room <= min(0.0, most - SAME_ROOM * largest(slack)):
             tight = best.tight
             others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]

@@ -23,6 +23,7 @@ from vstatics.simulation.events.choices import ModeChoices
 from vstatics.simulation.events.instants import Instant, Jump, consistent, motions_of, state_of
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch, Watched
 from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
+from vstatics.simulation.events.split import KnownLimits
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, sign
 from vstatics.simulation.system.ports import States
@@ -80,6 +81,7 @@ class ModeSelection:
         loose = self.structure((False,) * len(system.contacts), ("",) * len(system.meshes))
         self.choices = ModeChoices(system, loose)
         self.within = self.choices.within
+        self.known: KnownLimits = {}
 
     def of(self, system: MotionSystem) -> ModeSelection:
         """Return the selection for the system with other programmes or settings."""
@@ -268,7 +270,7 @@ class ModeSelection:
             if lacking := equations.lacking(at.time, state):
                 raise CaseError([lacking])
             equations.changes.hold_limits(at.time, state)
-            margins = Margins(equations)
+            margins = Margins(equations, self.known)
             failing = self._failing(margins, at.time, state, scales)
             if not failing:
                 return Selected(margins, state, jump), []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 from itertools import combinations
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,14 +16,14 @@ _MOST_TORQUE_CORNERS = 3000
 """Number of candidate splits up to which all are enumerated, instead of linear programming."""
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
-known_limits: dict[tuple[int, bytes], list[tuple[Integers, Floats]]] = {}
+KnownLimits: TypeAlias = dict[tuple[int, bytes], list[tuple[Integers, Floats]]]
 """Limits with equal slacks in a best split, and matrix from these slacks to it, by directions.
 
-Several splits can be best, so each run begins without them: no result depends on earlier runs.
+Several splits can be best, so each run has its own limits: no result depends on other runs.
 """
 
 
-def widest(slack: Floats, directions: Floats) -> Floats:
+def widest(slack: Floats, directions: Floats, known: KnownLimits) -> Floats:
     """Return the slacks of the split whose smallest slack is largest.
 
     The smallest slack is negative if no split is within all limits.
@@ -33,17 +34,19 @@ def widest(slack: Floats, directions: Floats) -> Floats:
         Slacks of any split: distances of the torques to their limits. [N*m]
     directions : ndarray, shape (limits, d)
         Changes of the slacks along the d redundant directions.
+    known : KnownLimits
+        Limits found in the same run, to which further limits are added.
 
     Examples
     --------
     Two clutches of 50 and 80 N*m that carry 100 N*m together, 60 of these by the first:
 
-    >>> widest(np.array([-10.0, 40.0]), np.array([[1.0], [-1.0]]))
+    >>> widest(np.array([-10.0, 40.0]), np.array([[1.0], [-1.0]]), {})
     array([15., 15.])
     """
     equations = _to_corners(directions.tobytes(), *directions.shape)
     if equations is None:
-        places = _by_programming(slack, directions)[:, None]
+        places = _by_programming(slack, directions, known)[:, None]
     else:
         places = (equations @ slack).reshape(directions.shape[1], -1)
     slacks = slack[:, None] + directions @ places
@@ -81,15 +84,15 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
     return to_places.reshape(-1, limits)
 
 
-def _by_programming(slack: Floats, directions: Floats) -> Floats:
+def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Floats:
     """Return the split with the largest smallest slack, by linear programming.
 
     In the best split of most slacks, d + 1 slacks are equal. Whether the weights of these limits
     are positive depends on the directions alone, so other slacks often have the same limits.
     """
     scale = largest(slack) or 1.0
-    known = known_limits.setdefault((directions.shape[1], directions.tobytes()), [])
-    for rows, to_split in known:
+    corners = known.setdefault((directions.shape[1], directions.tobytes()), [])
+    for rows, to_split in corners:
         split: Floats = to_split @ slack[rows]
         slacks = slack + directions @ split
         if slacks.min() >= slacks[rows].max() - SAME_ROOM * scale:
@@ -114,7 +117,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
         if np.linalg.matrix_rank(limits[more], tol=REGULAR_CORNER) == len(more):
             rows = more
     if len(rows) > count and solution.x[-1] < _MOST_ROOM:
-        known.append((rows, np.linalg.inv(limits[rows])[:count] / steep))
+        corners.append((rows, np.linalg.inv(limits[rows])[:count] / steep))
     return split
 
 
