@@ -138,7 +138,7 @@ def _independent(
 
     Groups with inertia come first.
     """
-    heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
+    heavy = [*map(set, system.heavy)]
     by_inertia = sorted(groups, key=lambda group: not any(b.issubset(group) for b in heavy))
     chosen: list[Sequence[int]] = []
     basis = np.zeros((0, free.shape[1]))

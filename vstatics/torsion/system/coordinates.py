@@ -74,7 +74,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     ((3, 2), array([[0., 1., 0.]]), array([[1., 1., 1.]]))
     """
     elastic = system.elastic_twists
-    bodies = [body.form for body in system.bodies if body.inertia > 0]
+    bodies = system.heavy
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
     held = [{link: 1.0} for link in _pivots(loose)]
     drifting = system.free(*held, *elastic, *bodies)

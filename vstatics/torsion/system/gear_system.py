@@ -101,6 +101,11 @@ class TorsionalSystem(NamedTuple):
         return [device.twist for device in self.elastic]
 
     @property
+    def heavy(self) -> list[Form]:
+        """Motions of the bodies that have inertia, as linear forms."""
+        return [body.form for body in self.bodies if body.inertia > 0]
+
+    @property
     def rates(self) -> Floats:
         """Stiffnesses of the elastic components, shape (components,) [N*m/rad]."""
         return np.array([device.rate for device in self.elastic], float)

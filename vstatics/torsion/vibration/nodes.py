@@ -58,8 +58,7 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
 def _chains(system: TorsionalSystem) -> Iterator[Integers]:
     """Yield the links of each chain, in which bodies of independent speeds are joined in a row."""
     free = system.free()
-    heavy = [body.form for body in system.bodies if body.inertia > 0]
-    moved = [np.flatnonzero(row).tolist() for row in system.rows(heavy) @ free]
+    moved = [np.flatnonzero(row).tolist() for row in system.rows(system.heavy) @ free]
     twisted = [np.flatnonzero(row).tolist() for row in system.twists @ free]
     group = _connected(free.shape[1], (*moved, *twisted))
     separate = {group[body[0]] for body in moved if len(body) > 1}

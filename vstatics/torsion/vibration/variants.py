@@ -321,10 +321,9 @@ def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "m
     """Return the kind of motion that no component except `device` resists, or an empty text."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
-    bodies = [body.form for body in system.bodies if body.inertia > 0]
 
     def is_held(*forms: Form) -> bool:
         free = [system.free(*resisting, *forms) for resisting in (others, elastic)]
         return bool(free[0].shape[1] > free[1].shape[1])
 
-    return "massless" if is_held(*bodies) else "heavy" if is_held() else ""
+    return "massless" if is_held(*system.heavy) else "heavy" if is_held() else ""

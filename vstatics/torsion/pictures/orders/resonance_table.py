@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from itertools import groupby
 from typing import NamedTuple
 
 from vstatics.core.tables.numbers import typeset
@@ -13,7 +12,7 @@ from vstatics.pictures.drawing.labels import height, width, wrapped
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order
-from vstatics.torsion.pictures.orders.resonances import GearMode, is_between
+from vstatics.torsion.pictures.orders.resonances import GearMode, by_number, is_between
 
 GEARS_WIDTH = 96.0
 """Width at which the names of gears are wrapped. [pt]"""
@@ -187,9 +186,8 @@ def _table(
     places = {mode.place: mode.gear for mode in modes}
     every = [places[place] for place in sorted(places)]
     is_damped = any(mode.damping_ratio for mode in modes)
-    ascending = sorted(modes, key=lambda mode: (mode.number, mode.frequency, mode.place))
     rows: list[TableRow] = []
-    for mode_number, same in groupby(ascending, key=lambda mode: mode.number):
+    for mode_number, same in by_number(modes):
         begins = True
         for printed, alike in _printed_alike(same, orders, speeds, is_damped=is_damped).items():
             if any(cell.text for cell in printed[-len(orders) :]):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -106,6 +106,12 @@ class SharedMode(NamedTuple):
         return [mode.gear for mode in sorted(self.modes, key=lambda mode: mode.place)]
 
 
+def by_number(modes: Iterable[GearMode]) -> Iterator[tuple[int, Iterator[GearMode]]]:
+    """Group modes by their numbers, in ascending order of numbers, frequencies and gears."""
+    ascending = sorted(modes, key=lambda mode: (mode.number, mode.frequency, mode.place))
+    return groupby(ascending, key=lambda mode: mode.number)
+
+
 def shared_modes(modes: Sequence[GearMode]) -> list[SharedMode]:
     """Combine modes of several gears that have equal numbers and nearly equal frequencies.
 
@@ -116,8 +122,7 @@ def shared_modes(modes: Sequence[GearMode]) -> list[SharedMode]:
     [(['0', '2'], 20.025), (['1'], 21.0)]
     """
     shared = []
-    ascending = sorted(modes, key=lambda mode: (mode.number, mode.frequency, mode.place))
-    for number, of_number in groupby(ascending, key=lambda mode: mode.number):
+    for number, of_number in by_number(modes):
         alike: list[GearMode] = []
         for mode in of_number:
             if alike and mode.frequency > alike[0].frequency * (1 + SAME_FREQUENCY):
