@@ -202,3 +202,20 @@ gears: {slip: {slip: {LU: 10 rad/s}}}
     [gear] = modes(loads(text))
     expected = [root for root in np.linalg.eigvals(matrix) if abs(root) > 1e-9]
     assert sorted(gear.damped, key=abs) == pytest.approx(sorted(expected, key=abs))
+
+
+def test_in_neutral_a_converter_that_a_spring_bridges_still_damps() -> None:
+    """The spring sets the mean speed ratio 1 of TC, and nothing determines that of TD."""
+    case = loads("""
+    links: [engine, middle, turbine, wheels]
+    load: {speed: 2000 rpm, torque: 80 N*m}
+    mechanisms:
+      TC: {kind: converter, first: engine, second: middle, points: [[0, 2, 4e-3], [1, 1, 0]]}
+      TD: {kind: converter, first: middle, second: turbine, points: [[0, 2, 4e-3], [1, 1, 0]]}
+    springs: {damper: {links: [engine, middle], stiffness: 500}}
+    inertias: {engine: 0.2, middle: 0.1, turbine: 0.1, wheels: 9}
+    shift_elements: {A: [turbine, wheels]}
+    gears: {N: []}
+    """)
+    working = working_gear(case, case.gears[0], {})
+    assert [(pump.name, pump.speed_ratio) for pump in working.converters] == [("TC", 1.0)]

@@ -121,11 +121,15 @@ class _WorkingPoints:
         self.names += [converter.name for converter in opened.converters]
         empty = {self.names[number - 1] for number in self.gear.open}
         self.filled = [c for c in opened.converters if c.name not in empty]
-        self.closed = [c for c in self.filled if c.name not in self.joined]
         self.driving: list[Converter] = []
         """Converters with a given speed ratio; the first determines the input torque."""
         self.at_slip: Results | None = None
         """Results of a gear whose slip determines a speed ratio."""
+
+    @property
+    def closed(self) -> list[Converter]:
+        """Converters with fluid that no other component bridges."""
+        return [pump for pump in self.filled if pump.name not in self.joined]
 
     def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
@@ -139,7 +143,7 @@ class _WorkingPoints:
         unknown = [converter for converter in self.closed if converter.name not in ratios]
         trial = dict.fromkeys((converter.name for converter in unknown), 1.0)
         if trial and np.isnan(solve(self._case_at(ratios | trial)).ratio[0]):  # neutral
-            self.filled = self.closed = [pump for pump in self.closed if pump not in unknown]
+            self.filled = [pump for pump in self.filled if pump not in unknown]
         elif len(unknown) == 1 and self.at_slip is None:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:

@@ -225,6 +225,5 @@ def _elastic_and_heavy(
         elif target.quantity in ("stiffness", "compliance"):
             place = places.get(case.devices[target.owner])
             if place is not None:
-                is_stiffness = target.quantity == "stiffness"
-                stiffnesses[place] = numbers if is_stiffness else 1 / numbers
+                stiffnesses[place] = numbers if target.quantity == "stiffness" else 1 / numbers
     return stiffnesses, inertias
