@@ -552,8 +552,8 @@ class Law(float):
     """Text of a law given by a formula; empty for other laws."""
     file: str = ""
     """Name of the file with the points. Laws that differ only in the file name are equal."""
-    lines: tuple[int, ...] = ()
-    """Number of the line of each point in the file; empty for a map."""
+    lines: tuple[str, ...] = ()
+    """Line number of each point in the file, with the numbers there; empty for a map."""
 
     def at(self, *sizes: Size) -> Size:
         """Return the value at the arguments from `sizes_of`, which are numbers or arrays."""

@@ -65,7 +65,7 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
         ("kNm,rpm\n0,1\n", "read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`"),
         ("speed,torque,eta\nrpm,N*m,%\n0,5,90\n", "line 1: read the heading 'eta' of a map"),
-        ("speed,torque\nrpm,N*m\n# warm\n\n5,1\n9,-1\n", "`drag.csv`, line 6: read -1, expected a"),
+        ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6 (9 rpm, -1 N*m): read -1, exp"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )

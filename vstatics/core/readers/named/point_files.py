@@ -71,9 +71,9 @@ def points_of(name: str) -> PointLaw:
     ValueError
         The message states the expected content.
     """
-    _, rows = _table(lines_of(Path(name), MOST_POINT_FILE_BYTES), "")
+    heads, rows = _table(lines_of(Path(name), MOST_POINT_FILE_BYTES), "")
     law = PointLaw([numbers for _, numbers in rows])
-    law.lines = tuple(line for line, _ in rows)
+    law.lines = tuple(f"{line} ({_point(heads, *numbers)})" for line, numbers in rows)
     return law
 
 
