@@ -4,7 +4,8 @@ import copy
 from dataclasses import replace
 from functools import cached_property
 
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from tests.core.statics.batches import ARRAYS, same
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import OfLoad
 
 CASE = Transmission(
@@ -30,6 +31,15 @@ def test_a_case_with_other_numbers_shares_only_what_does_not_depend_on_them() ->
         getattr(CASE, name)
         anew, changed = replace(CASE, mechanisms=others), CASE.with_numbers(others)
         assert name == "_derived" or getattr(changed, name) == getattr(anew, name), name
+
+
+def test_planets_of_a_case_with_other_numbers_have_speeds_of_their_own() -> None:
+    """The speed of a planet is w_1/planet_ratio, also after the original case was solved."""
+    solve(CASE)
+    others = [part._replace(planet_ratio=2.0) for part in CASE.mechanisms]
+    found, expected = solve(CASE.with_numbers(others)), solve(replace(CASE, mechanisms=others))
+    assert all(same(getattr(found, name), getattr(expected, name)) for name in ARRAYS)
+    assert found.planet_speeds[0, 1] == found.speeds[0, 2] / 2.0
 
 
 def test_cases_that_differ_in_numbers_share_derived_values() -> None:

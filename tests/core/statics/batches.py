@@ -3,6 +3,7 @@
 from collections import OrderedDict
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from copy import copy
 from dataclasses import replace
 from random import Random
 from typing import Any
@@ -113,8 +114,9 @@ def no_plans() -> Iterator[None]:
 
 
 def plainly(case: Transmission) -> Results:
+    """The results without plans: a copy of a case does not have plans that the case keeps."""
     with no_plans():
-        return solve(case)
+        return solve(copy(case))
 
 
 def same(one: Array, other: Array) -> bool:

@@ -100,7 +100,10 @@ def solve_variants(
 def solve_one(case: Transmission) -> dict[str, Any]:
     """Return the arrays of `Results` for the numbers of the case itself, without variants."""
     numbers = _numbers(case)
-    return _arrays_of_one(case, [(plans, numbers) for plans in case.derived(_plans_of_one)])
+    planets, plans = case.derived(_plans_of_one)
+    if planets != _planet_ratios(case):  # cases with other planet ratios share derived values
+        _, plans = _plans_of_one(case)
+    return _arrays_of_one(case, [(of_gear, numbers) for of_gear in plans])
 
 
 def _calls(
@@ -127,9 +130,14 @@ def _calls(
     return calls
 
 
-def _plans_of_one(case: Transmission) -> list[Plans]:
-    """Return the plans of each gear for a single variant."""
-    return [plans for plans, _ in _calls(case, *_inputs(case, None, None, 1))]
+def _plans_of_one(case: Transmission) -> tuple[list[float | None], list[Plans]]:
+    """Return the planet ratios, and the plans of each gear for a single variant with these."""
+    calls = _calls(case, *_inputs(case, None, None, 1))
+    return _planet_ratios(case), [plans for plans, _ in calls]
+
+
+def _planet_ratios(case: Transmission) -> list[float | None]:
+    return [mechanism.planet_ratio for mechanism in case.mechanisms]
 
 
 def _widths(case: Transmission) -> dict[str, int]:
