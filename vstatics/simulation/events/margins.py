@@ -385,8 +385,9 @@ class Margins:
     def along(self, times: Floats, states: Floats, enough: float = -math.inf) -> Floats:
         """Return all margins at several times, shape (margins, times).
 
-        The margin `split` takes longest. When it has fallen below `enough`, it is calculated for
-        `_INSTANTS_OF_PART` more times, which complete a part of a time step, and is 0 afterwards.
+        The margin `split` takes the longest time to calculate. After it has fallen below `enough`,
+        it is calculated at `_INSTANTS_OF_PART` more times, which complete a part of a time step,
+        and is 0 afterwards.
         """
         equations = self.equations
         rates, torques = equations.acting_at(times, states)

@@ -17,9 +17,9 @@ _MOST_TORQUE_CORNERS = 3000
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
 KnownLimits: TypeAlias = dict[tuple[int, bytes], list[tuple[Integers, Floats]]]
-"""Limits with equal slacks in a best split, and matrix from these slacks to it, by directions.
+"""Limits with equal slacks in a best split, and matrix from slacks to this split, by directions.
 
-Several splits can be best, so each run has its own limits: no result depends on other runs.
+Several splits can be best. Each run has its own limits, so no result depends on other runs.
 """
 
 
@@ -87,8 +87,9 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
 def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Floats:
     """Return the split with the largest smallest slack, by linear programming.
 
-    In the best split of most slacks, d + 1 slacks are equal. Whether the weights of these limits
-    are positive depends on the directions alone, so other slacks often have the same limits.
+    With d directions, usually d + 1 slacks are equal in the best split. Whether the weights of
+    these limits are positive depends on the directions alone, so other slacks often have the same
+    limits.
     """
     scale = largest(slack) or 1.0
     corners = known.setdefault((directions.shape[1], directions.tobytes()), [])
@@ -109,7 +110,7 @@ def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Fl
     if not solution.success or solution.x is None:
         return np.zeros(count)
     split = solution.x[:-1] * scale / steep
-    # The weights belong to equal slacks; other small slacks complete the limits of a corner.
+    # Limits with a weight have equal slacks. Limits with small slacks complete the corner.
     order = np.lexsort((slack + directions @ split, solution.ineqlin.marginals > -REGULAR_CORNER))
     rows = order[:0]
     for row in order:
