@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
-from vstatics.simulation.events.split import KnownLimits, least, widest
+from vstatics.simulation.events.split import KnownLimits, least, most_room, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
@@ -501,9 +501,7 @@ class Margins:
         if best.room > 0 or not self.either:
             return best
         of_one_sign = np.delete(np.arange(len(slack)), np.r_[tuple(self.either)])
-        most = np.inf
-        if len(of_one_sign):
-            most = widest(slack[of_one_sign], directions[of_one_sign], self.known).min()
+        most = most_room(slack[of_one_sign], directions[of_one_sign], self.known)
         while best.room <= min(0.0, most - SAME_ROOM * largest(slack)):
             tight = best.tight
             others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]
