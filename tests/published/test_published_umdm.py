@@ -91,7 +91,7 @@ def close(value: Fraction | float) -> object:
 
 
 def close_to(values: Mapping[str, Fraction]) -> object:
-    """Equal for each name but for rounding."""
+    """Return a mapping that is equal to `values` up to rounding."""
     expected = {name: float(value) for name, value in values.items()}
     return pytest.approx(expected, rel=PRECISION, abs=PRECISION)
 

@@ -66,7 +66,7 @@ class Cluster:
 
 @pytest.fixture(autouse=True)
 def _distributed() -> None:
-    """Import it for tests of a cluster only: it takes half a second."""
+    """Import `distributed` only for tests of a cluster, because this takes half a second."""
     pytest.importorskip("distributed")
 
 

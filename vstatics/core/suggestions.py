@@ -28,7 +28,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
     >>> lookalike("Ra\u0308der", ["R\u00e4der"]).partition("? ")[2]
-    'Its letters look the same, but accents have other codes'
+    'It looks the same, but has accents with other codes'
     """
     from unicodedata import normalize  # costs start-up time
 
@@ -39,7 +39,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
     if not name:
         return ""
     if letters == composed:
-        return f"; did you mean `{name}`? Its letters look the same, but accents have other codes"
+        return f"; did you mean `{name}`? It looks the same, but has accents with other codes"
     places = grouped(
         ((_SCRIPTS.get(read, "Latin"), _SCRIPTS.get(meant, "Latin")), place)
         for place, (read, meant) in enumerate(zip(composed, letters, strict=True))

@@ -87,7 +87,7 @@ ANNEX = Annex(
     pictures={
         "modes": PictureKind(
             "vstatics.torsion.pictures.shapes.modes",
-            "natural modes of each gear, on standard output of the first:\n"
+            "natural modes of each gear (standard output: first gear only):\n"
             "shapes over the links, and shares of the energy",
             70,
             "Natural modes",

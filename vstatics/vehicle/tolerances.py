@@ -13,9 +13,10 @@ NO_DRAG = 1e-9
 SAME_TORQUE_CLASS = 1e-9
 """Relative difference up to which a torque counts as equal to a class bound or threshold. [-]"""
 SAME_GEAR_POWER = 1e-7
-"""Difference up to which the powers of two gears count as equal, relative to engine and wheels. [-]
+"""Difference up to which powers of gears count as equal, relative to engine and wheel power. [-]
 
-It exceeds the power of open clutches, which `LEAST_FORCE_EXCESS` leaves above 0."""
+It exceeds the power of open clutches, which `LEAST_FORCE_EXCESS` leaves above 0.
+"""
 NO_CYCLE_ENERGY = 1e-13
 """Energy of a cycle that counts as rounding noise, relative to the sum of all magnitudes. [-]"""
 NO_SPEED = 1e-12

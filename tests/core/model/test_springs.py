@@ -152,13 +152,13 @@ def test_of_a_torque_points_tell_twist_and_slope() -> None:
     assert [flat.twist_at(torque) for torque in (8, -9)] == [pytest.approx(0.1), None]
 
 
-def test_twists_in_degrees_without_the_unit_are_told() -> None:
+def test_twists_in_degrees_without_the_unit_are_noted() -> None:
     """40 rad are six turns; the extension of a straight spring is in m."""
-    for twist, given, told in (
+    for twist, given, noted in (
         (40.0, "inertias", ["N205"]),
         (0.7, "inertias", []),
         (40.0, "masses", []),
     ):
         arc = Spring(between(1, 2), points=((-twist, -330.0), (twist, 330.0)), name="arc")
         case = Transmission(2, [], [], [], springs=[arc]).replace(**{given: {1: 2.0, 2: 3.0}})
-        assert [doubt.id for doubt in doubts(case)] == told
+        assert [doubt.id for doubt in doubts(case)] == noted

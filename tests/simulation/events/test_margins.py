@@ -161,8 +161,8 @@ def test_a_block_of_lossy_sets_holds_as_long_as_any_split_fits(seed: int) -> Non
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_the_smallest_slack_of_a_split_is_that_of_a_linear_programme(seed: int) -> None:
-    """Limits of many components in several directions, for the same directions again and again."""
+def test_the_smallest_slack_of_a_split_agrees_with_a_linear_programme(seed: int) -> None:
+    """The directions stay the same while the slacks change, so that known limits are tried."""
     chance = generator(seed)
     size = limits, count = int(chance.integers(14, 20)), int(chance.integers(5, 8))
     whole = chance.integers(-2, 3, size).astype(float)
@@ -170,8 +170,8 @@ def test_the_smallest_slack_of_a_split_is_that_of_a_linear_programme(seed: int) 
     bounds = [(None, None)] * count + [(None, 10.0)]
     rows = np.hstack([-directions, np.ones((limits, 1))])
     first, known = chance.normal(size=limits), KnownLimits()
-    for each in range(20):
-        slack = first + 0.05 * each * chance.normal(size=limits)
+    for number in range(20):
+        slack = first + 0.05 * number * chance.normal(size=limits)
         slack /= np.abs(slack).max()
         best = linprog([0.0] * count + [-1.0], A_ub=rows, b_ub=slack, bounds=bounds)
         assert best.x is not None

@@ -71,7 +71,7 @@ def test_a_lock_up_clutch_that_slips_leaves_the_gear_in_brackets() -> None:
 
 
 def test_a_gear_with_a_slip_is_named_while_it_slips() -> None:
-    """C slips under torque from 1 s to 3 s; gears of the same elements share their piece."""
+    """C slips under torque from 1 s to 3 s. Gears with the same elements share a piece."""
     held = frozenset("A")
     gears = {name: GearElements(held) for name in ("1", "1 coast")}
     gears["1 slip"] = GearElements(held, frozenset("C"))

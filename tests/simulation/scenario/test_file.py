@@ -298,11 +298,11 @@ def test_input_speeds_in_rpm_are_those_of_the_start_and_of_laws_over_speed() -> 
     assert file.input_speeds == pytest.approx((900, 30, 6 * 30 / math.pi))
 
 
-def test_a_start_speed_without_its_unit_is_told_where_few_engines_are_as_fast() -> None:
-    """3000 rad/s are 28,648 rpm; a motor of 12,000 rpm, with its unit, is none of them."""
-    for speed, told in (("3000", ["N205"]), ("12000 rpm", []), ("300", [])):
+def test_a_start_speed_without_its_unit_is_noted_if_few_engines_are_as_fast() -> None:
+    """3000 rad/s are 28,648 rpm. A motor of 12,000 rpm, with its unit, gets no note."""
+    for speed, noted in (("3000", ["N205"]), ("12000 rpm", []), ("300", [])):
         file = scenario_file(f"start: {{gear: low, speed: {speed}}}")
-        assert [doubt.id for doubt in file.doubts if "speed" in doubt.message] == told
+        assert [doubt.id for doubt in file.doubts if "speed" in doubt.message] == noted
 
 
 def test_a_start_speed_of_an_input_with_a_road_can_be_a_vehicle_speed() -> None:

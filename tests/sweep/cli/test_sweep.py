@@ -349,6 +349,6 @@ def test_a_sweep_without_rows_tells_what_each_condition_removed(output: str, fol
     if "out.csv" in output:
         assert (folder / "out.csv").read_text("utf-8").startswith("variant,D.ratio,status,")
     said = vstatics(*asked, "--min", "sqrt(2 - ratio[low])")
-    assert "no variant has a value of `sqrt(2 - ratio[low])`" in said.err
+    assert "no variant has a value for `sqrt(2 - ratio[low])`" in said.err
     assert vstatics(*asked, *where, "--fail-empty").status == 3
     assert vstatics(*asked, "--fail-empty").status == 0

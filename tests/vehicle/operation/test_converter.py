@@ -420,10 +420,10 @@ def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
         assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
-def test_a_speed_ratio_is_found_beside_ratios_at_which_a_split_locks_itself() -> None:
+def test_a_speed_ratio_is_found_next_to_ratios_at_which_a_split_is_self_locking() -> None:
     """The gear set turns the turbine with F/0.77 - F, so the converter gives the rest of 3 N*m.
 
-    With the output at 21 rad/s, w_T = 11 * 21 - 10 w. Above a speed ratio friction holds the set.
+    With the output at 21 rad/s, w_T = 11 * 21 - 10 w. Above some speed ratio the set is self-locking.
     """
     text = BY_TURBINE.replace("mechanisms:", "drag: {turbine: 3 N*m}\nmechanisms:").replace(
         "turbine, second: engine, third: out, ratio: -2",
@@ -659,7 +659,7 @@ def test_a_freewheel_supplies_the_torque_that_the_pump_lacks(examples: int) -> N
             assert not at.messages
 
 
-def test_a_freewheel_behind_the_turbine_leaves_its_drag_to_the_engine() -> None:
+def test_with_a_freewheel_behind_the_turbine_the_engine_supplies_the_drag_of_the_turbine() -> None:
     """The pump takes lambda w^2 (1.38) and gives 2 N*m to a turbine that turns with the wheels."""
     case = loads("""
     links: [engine, turbine, mid, wheels]

@@ -133,7 +133,7 @@ def test_drag_without_unit_is_relative_to_the_input_torque(seed: int) -> None:
         passed = np.where(torque > 0, pair.efficiency, 1 / pair.efficiency)
         torque = torque * pair.ratio * passed - drag[link] * np.abs(entering)
     assert torque * ratio == pytest.approx(np.array(made["wheel force [N]"]), rel=1e-9)
-    with pytest.raises(CaseError, match="drag relative to the input torque takes this torque"):
+    with pytest.raises(CaseError, match="drag without unit takes all of the input torque"):
         drive(case.replace(drag={1: 1.01}), trace(*rows), GearChoice())
 
 

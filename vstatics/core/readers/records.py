@@ -15,7 +15,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
 from vstatics.core.readers.named.headings import (
     OTHER_SEPARATORS,
-    SEPARATE,
+    SEPARATOR_HINT,
     CellError,
     Heading,
     TableColumn,
@@ -53,7 +53,7 @@ class RecordedColumns(NamedTuple):
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
         is_part = any(heading in OTHER_SEPARATORS.split(name) for name in known)
-        hint = SEPARATE if is_part else nearest(heading, known)
+        hint = SEPARATOR_HINT if is_part else nearest(heading, known)
         return self.problem(
             identity,
             f"there is no column {quoted(heading)}{hint}; "

@@ -173,7 +173,7 @@ def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
     overrunning : sequence of int
         Numbers of freewheels that do not hold.
     """
-    case, gear = state.case, state.gear._replace(speed_ratios={})  # trials include them
+    case, gear = state.case, state.gear._replace(speed_ratios={})  # `trial_ratios` has them
     if case.coasts(gear):
         return []
     for numbers in dict.fromkeys([*((number,) for number in overrunning), (*overrunning,)]):

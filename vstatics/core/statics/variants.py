@@ -183,7 +183,7 @@ def _arrays_of_one(
 def _layout(
     case: Transmission,
 ) -> tuple[int, dict[str, tuple[type, int | slice]], dict[str, Floats]]:
-    """Return the number of results of a gear, the places of arrays there, and other arrays.
+    """Return the number of results of a gear, the places of arrays in them, and other arrays.
 
     The other arrays are read-only and need no memory, because all values are equal (True for
     flags).

@@ -160,7 +160,7 @@ class Finder:
         self.equations, self.margins = margins.equations, margins
         self.least = self.noise = NO_MARGIN * margins.units(scales)
         self.enough = -NO_MARGIN * scales.torque
-        """Margin `split` that is certainly an event, so that later margins do not matter. [N*m]"""
+        """Margin `split` that is certainly an event; later margins do not matter. [N*m]"""
         self.following = np.array(
             [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
         )
@@ -243,7 +243,7 @@ class Finder:
         Returns the index of the next instant in `step.times`, with time and margins of the minimum.
         The first column of `margins` belongs to the start of the step.
         """
-        count = len(step.nodes)
+        count = len(step.nodes)  # after the part with `last`, margins can be omitted
         for number, _, time in minima(step, margins[:, : (last // count + 1) * count + 1]):
             if number > last:
                 break

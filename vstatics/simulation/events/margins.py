@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
-from vstatics.simulation.events.split import KnownLimits, least, widest
+from vstatics.simulation.events.split import KnownLimits, least, most_room, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
@@ -385,8 +385,9 @@ class Margins:
     def along(self, times: Floats, states: Floats, enough: float = -math.inf) -> Floats:
         """Return all margins at several times, shape (margins, times).
 
-        The margin `split` takes longest. When it has fallen below `enough`, it is calculated for
-        `_INSTANTS_OF_PART` more times, which complete a part of a time step, and is 0 afterwards.
+        The margin `split` takes the longest time to calculate. After it has fallen below `enough`,
+        it is calculated at `_INSTANTS_OF_PART` more times, which complete a part of a time step,
+        and is 0 afterwards.
         """
         equations = self.equations
         rates, torques = equations.acting_at(times, states)
@@ -500,9 +501,7 @@ class Margins:
         if best.room > 0 or not self.either:
             return best
         of_one_sign = np.delete(np.arange(len(slack)), np.r_[tuple(self.either)])
-        most = np.inf
-        if len(of_one_sign):
-            most = widest(slack[of_one_sign], directions[of_one_sign], self.known).min()
+        most = most_room(slack[of_one_sign], directions[of_one_sign], self.known)
         while best.room <= min(0.0, most - SAME_ROOM * largest(slack)):
             tight = best.tight
             others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]

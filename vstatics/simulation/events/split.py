@@ -17,9 +17,9 @@ _MOST_TORQUE_CORNERS = 3000
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
 KnownLimits: TypeAlias = dict[tuple[int, bytes], list[tuple[Integers, Floats]]]
-"""Limits with equal slacks in a best split, and matrix from these slacks to it, by directions.
+"""Limits with equal slacks in a best split, and matrix from slacks to this split, by directions.
 
-Several splits can be best, so each run has its own limits: no result depends on other runs.
+Several splits can be best. Each run has its own limits, so no result depends on other runs.
 """
 
 
@@ -55,6 +55,44 @@ def widest(slack: Floats, directions: Floats, known: KnownLimits) -> Floats:
     return slacks[:, best] if sizes[best] > slack.min() else slack
 
 
+def most_room(slack: Floats, directions: Floats, known: KnownLimits) -> float:
+    """Return the smallest slack of the split from `widest`, infinity if it has no upper bound.
+
+    Unlike `widest`, this function accepts directions that depend on each other.
+
+    Examples
+    --------
+    The second direction changes neither clutch. A single limit lets the slack grow:
+
+    >>> round(most_room(np.array([-10.0, 40.0]), np.array([[1.0, 0.0], [-1.0, 0.0]]), {}), 6)
+    15.0
+    >>> most_room(np.array([-10.0]), np.array([[1.0]]), {})
+    inf
+    """
+    independent = _independent(directions.tobytes(), *directions.shape)
+    return math.inf if independent is None else float(widest(slack, independent, known).min())
+
+
+@lru_cache(maxsize=64)
+def _independent(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
+    """Return independent directions of the same splits, None if all slacks can grow together."""
+    from scipy.optimize import linprog
+
+    directions = np.frombuffer(bytes_of_directions).reshape(limits, count)
+    left, sizes, _ = np.linalg.svd(directions, full_matrices=False)
+    independent = (left * sizes)[:, sizes > REGULAR_CORNER * largest(sizes)]
+    if not (columns := independent.shape[1]):
+        return None
+    growing = linprog(
+        [0.0] * columns + [-1.0],
+        A_ub=np.hstack([-independent, np.ones((limits, 1))]),
+        b_ub=np.zeros(limits),
+        bounds=[(None, None)] * columns + [(None, 1.0)],
+    )
+    is_bounded = growing.success and growing.x[-1] < REGULAR_CORNER
+    return np.ascontiguousarray(independent) if is_bounded else None
+
+
 @lru_cache(maxsize=64)
 def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
     """Return the matrix from slacks to all splits in which d + 1 slacks are equal.
@@ -87,8 +125,9 @@ def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats |
 def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Floats:
     """Return the split with the largest smallest slack, by linear programming.
 
-    In the best split of most slacks, d + 1 slacks are equal. Whether the weights of these limits
-    are positive depends on the directions alone, so other slacks often have the same limits.
+    With d directions, usually d + 1 slacks are equal in the best split. Whether the weights of
+    these limits are positive depends on the directions alone, so other slacks often have the same
+    limits.
     """
     scale = largest(slack) or 1.0
     corners = known.setdefault((directions.shape[1], directions.tobytes()), [])
@@ -109,7 +148,7 @@ def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Fl
     if not solution.success or solution.x is None:
         return np.zeros(count)
     split = solution.x[:-1] * scale / steep
-    # The weights belong to equal slacks; other small slacks complete the limits of a corner.
+    # Limits with a weight have equal slacks. Limits with small slacks complete the corner.
     order = np.lexsort((slack + directions @ split, solution.ineqlin.marginals > -REGULAR_CORNER))
     rows = order[:0]
     for row in order:

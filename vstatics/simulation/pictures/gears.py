@@ -34,6 +34,7 @@ class GearElements(NamedTuple):
     sticking: frozenset[str]
     """Engaged shift elements, and freewheels that hold when the gear drives."""
     slipping: frozenset[str] = frozenset()
+    """Shift elements that slip under torque."""
 
     def is_part_of(self, other: GearElements) -> bool:
         """Return whether the other gear has these shift elements and more."""
@@ -150,9 +151,9 @@ def gear_pieces(sets: GearSets, motion: Motion, rows: Sequence[ElementStates]) -
     engaged = np.array(
         [
             np.logical_and.reduce(
-                [holds[gear], *(~holds[other] for other in sets if own.is_part_of(sets[other]))]
+                [holds[gear], *(~holds[name] for name in sets if part.is_part_of(sets[name]))]
             )
-            for gear, own in sets.items()
+            for gear, part in sets.items()
         ]
     )
     pieces, shortest = [], SHORTEST_GEAR * float(np.ptp(motion.time))

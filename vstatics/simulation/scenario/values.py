@@ -50,7 +50,7 @@ _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "a
 Turning = Callable[[float], float]
 """Function from vehicle speed [m/s] to the speed of a link [rad/s]."""
 FASTEST_WITHOUT_UNIT = 1000.0
-"""Largest speed without a unit that is not likely to be in rpm: 9,549 rpm. [rad/s]"""
+"""Largest plausible start speed, 9,549 rpm; a larger number was probably meant in rpm. [rad/s]"""
 _STRAIGHT = ", since the link moves straight"
 
 

@@ -141,15 +141,15 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
     unlike = f" ({', '.join(reasons)})" if reasons else ""
     before = f", {finished_before} of them before" if finished_before else ""
     rows = count_of("row", report.rows)
-    unit = what.removesuffix("s")
-    variants = count_of(unit, report.variants)
+    noun = what.removesuffix("s")
+    variants = count_of(noun, report.variants)
     if run.plan.by_gear:
         variants += f", {run.plan.count // run.plan.variants.count} in each variant"
     rate = float(f"{(report.variants - finished_before) / max(seconds, 1e-9):.3g}")
     if reasons or not run.quiet:
         files.say(
             f"{output}: {rows} of {variants}{unlike}{before}; "
-            f"{seconds:.3g} s, {rate:,.0f} {plural(unit, round(rate))} a second"
+            f"{seconds:.3g} s, {rate:,.0f} {plural(noun, round(rate))} a second"
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
@@ -162,7 +162,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
         _print_removed(run.plan.where, report)
     if run.plan.objectives and not report.rows and sum(report.removed) < report.variants:
         names = spoken(quoted(objective.expression.text) for objective in run.plan.objectives)
-        files.say(f"no variant has a value of {names}")
+        files.say(f"no variant has a value for {names}")
     return Ended(EMPTY if run.fail_empty and not report.rows else DONE, messages)
 
 

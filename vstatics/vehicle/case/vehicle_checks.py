@@ -159,8 +159,8 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
     most = max((c for _, c in rolling), default=0.0) if isinstance(rolling, Sequence) else rolling
     if most > 1:
         message = (
-            f"read {most:g}, more than a tyre can have: a coefficient in % is `{most:g}%`, and in "
-            f"N/kN `{most:g}/1000`"
+            f"read {most:g}, more than a tyre can have: write a coefficient in % as `{most:g}%`, "
+            f"and in N/kN as `{most:g}/1000`"
         )
         yield Problem("N205", message, ("vehicle", "rolling"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)

@@ -99,7 +99,7 @@ class ConverterSteps(NamedTuple):
         )
 
     def _torques_at(self, rows: Integers, engine: Floats) -> Floats:
-        """Return engine torques that supply the torque of the pump; NaN without one [N*m]."""
+        """Return engine torques that supply the torque of the pump [N*m]; NaN if impossible."""
         return self.converter.torque_at(
             engine,
             self._output[rows],
@@ -109,11 +109,11 @@ class ConverterSteps(NamedTuple):
     def _at_open_freewheels(
         self, rows: Integers, engine: Floats, torques: Floats
     ) -> tuple[Integers, Floats]:
-        """Return the steps in which the pump takes less than it gets, and better engine speeds.
+        """Return the steps in which the pump takes less than it gets, and engine speeds [rad/s].
 
-        In these steps the wheels overrun a freewheel, and do not drive the turbine. Its drag needs
-        more torque than the pump takes at the free ratio, so the speed ratio is smaller. It is
-        found with the force at which the freewheel carries no torque. Speeds are in rad/s.
+        In these steps the wheels overrun a freewheel and do not drive the turbine. The drag of the
+        turbine needs more torque than the pump takes at the free ratio, so the speed ratio is
+        smaller. It follows from the wheel force at which the freewheel carries no torque.
         """
         taken, direction = self.converter.taken(engine, self._output[rows])
         excess = direction * (self._from_engine(rows, engine, torques) - taken)

@@ -62,7 +62,7 @@ MOST_ENLARGEMENTS = 8
 MOST_DRAG_ROUNDS = 200
 """Largest number of calculations of drag that is relative to the input torque."""
 
-_ALL_IS_DRAG = "drag relative to the input torque takes this torque; give drag in N*m"
+_ALL_IS_DRAG = "drag without unit takes all of the input torque; give drag in N*m"
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
 _IN_NEUTRAL = ": a moving vehicle needs a gear, and coasting in neutral is not calculated"
@@ -333,10 +333,11 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return inertia torques, without outputs and links with given speeds, and drag [N*m].
+        """Return inertia torques and drag by path [N*m].
 
-        The input link of a gear with a loss as a whole is left out. This loss depends on the torque
-        that the inertia of the input link leaves for the gear.
+        Outputs and links with given speeds have no inertia torque here, nor has the input link of a
+        gear with a loss as a whole. This loss depends on the torque that the inertia of the input
+        link leaves for the gear.
         """
         drag = {path: part * self.entering[rows] for path, part in relative_drag(case).items()}
         return drag | {

@@ -86,7 +86,7 @@ _SUMO_COLUMNS = tuple(
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
 _HALF_DAY = 12 * 3600.0
-"""Step back in time from which a clock probably passed midnight. [s]"""
+"""Smallest step back in time that probably means that a clock passed midnight. [s]"""
 _LATER = "a later time in each row"
 
 BLOCK_ROWS = 20_000

@@ -186,7 +186,7 @@ def test_a_mistyped_sheet_and_a_cell_merged_over_rows_are_told() -> None:
 
 
 def test_what_is_no_case_is_refused() -> None:
-    assert "a workbook: it is damaged, or of another f" in faults(b"PK\x03\x04 and no more")[0]
+    assert "a workbook: it is damaged or has another f" in faults(b"PK\x03\x04 and no more")[0]
     bomb = io.BytesIO()
     with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("xl/workbook.xml", b" " * 60_000_000)

@@ -171,7 +171,7 @@ def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) 
         assert (said.status, len(document["boxes"])) == (status, 3)
         told = document["complete"], document["given_up"]
         assert told == (not given_up, PIECES * given_up)
-        assert ("could not be looked at" in said.err) == (given_up > 0)
+        assert ("could not be searched" in said.err) == (given_up > 0)
 
 
 def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:

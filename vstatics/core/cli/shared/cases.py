@@ -484,9 +484,10 @@ def _vibrates(case: Transmission) -> bool:
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, is_run: bool) -> Results:
-    """Return the results of a case, in a run with converters that slip freely.
+    """Return the results of a case.
 
-    For vibration, they also slip freely if the load does not determine their speed ratios.
+    In a run, converters without a speed ratio slip freely. For vibration, they slip freely only if
+    the load does not determine their speed ratios.
 
     Raises
     ------

@@ -68,7 +68,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
-            if not (listed or ends or spots.unreadable):
+            if not (listed or ends):
                 faults += loose_links(root, values, names, parts["gears"], spots)
         all_problems += map(spots.locate, faults)
     return finish(parts, all_problems, read_with_stand_ins(spots.unreadable), locate)

@@ -33,8 +33,8 @@ MOST_QUOTED = 76
 LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading is a mistyped name."""
 OTHER_SEPARATORS = re.compile(r"[\s|]+")
-"""Pattern of signs that separate the cells of other programs."""
-SEPARATE = "; separate the cells by commas, semicolons or tabs"
+"""Pattern of characters that separate cells in tables of other programs."""
+SEPARATOR_HINT = "; separate the cells by commas, semicolons or tabs"
 _COMMENT_SIGNS = ("#", "%")
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can have any mixture of upper and lower case."""
@@ -425,7 +425,7 @@ class _ExpectedTable(NamedTuple):
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
                 if len(self.understood(OTHER_SEPARATORS.split(cell))) > 1:
-                    hint = SEPARATE
+                    hint = SEPARATOR_HINT
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
         if twice := next((name for name in names if names.count(name) > 1), None):
             raise ValueError(f"two columns are called {quoted(twice)}")

@@ -38,7 +38,7 @@ _DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
 _SLIP_NAMES = ("slip", "slip speed")
 """Headings of the slip speed of a shift element."""
 _MAP_NAMES = ("efficiency", "eta", "loss")
-"""Headings that a file of drag torques must not have: its torques are not drag torques."""
+"""Headings of maps. The torques in a file with such a heading are not drag torques."""
 _COLUMNS = {
     "": (
         SHAFT_COLUMNS[0]._replace(

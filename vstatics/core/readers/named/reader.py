@@ -72,8 +72,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     problems = document.problems
     if gathered is not None:
         parts["links"] = len(gathered)
-        if not walk.spots.unreadable:
-            problems = [*problems, *loose_links(root, values, gathered, parts["gears"], walk.spots)]
+        problems = [*problems, *loose_links(root, values, gathered, parts["gears"], walk.spots)]
         walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
     return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
 

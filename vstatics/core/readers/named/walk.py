@@ -164,7 +164,7 @@ class Walk:
             self.spots.keep(named)
             unreadable = len(self.spots.unreadable)
             names = self.items(named, node.items, TEXT)
-            if len(self.spots.unreadable) == unreadable:  # else a reference can mean any stand-in
+            if len(self.spots.unreadable) == unreadable:  # a reference can mean an unreadable name
                 self.references.set_link_names(names)
             return len(node.items)
         try:

@@ -40,7 +40,7 @@ class ReadSheet(NamedTuple):
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
     """Read the cells of the sheets `wanted` of a workbook. Other sheets have no rows.
 
-    The case of letters in the name of a sheet does not matter, nor do blanks around the name.
+    Capitals in the name of a sheet do not matter, nor do blanks around the name.
 
     Raises
     ------
@@ -52,18 +52,18 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
     except Exception as error:  # noqa: BLE001 (damaged files raise many classes of errors)
         raise _no_workbook(file, error) from None
     wanted, read, problems = {*wanted}, list[ReadSheet](), list[Problem]()
-    for named, path in parts.sheets.items():
-        sheet = _SheetElements(CellPlace.of(Place(file, 1, 1), named), parts, problems)
-        meant = named.strip().lower()
-        known = {*parts.sheets, *(one.name for one in read)}
-        name = meant if meant in wanted - known else named
+    for title, path in parts.sheets.items():
+        sheet = _SheetElements(CellPlace.of(Place(file, 1, 1), title), parts, problems)
+        meant = title.strip().lower()
+        known = {*parts.sheets, *(other.name for other in read)}
+        name = meant if meant in wanted - known else title
         if name in wanted and path:
             try:
                 parts.parse(path, sheet.start, sheet.end, sheet.text)
             except ReadError:
                 raise
             except Exception as error:  # noqa: BLE001 (as above)
-                raise _no_workbook(file, error, named) from None
+                raise _no_workbook(file, error, title) from None
         read.append(ReadSheet(name, [row for row in sheet.rows if row]))
     if problems:
         raise ReadError(problems)
@@ -73,7 +73,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
 def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
     reason = " ".join(str(error).split()) or type(error).__name__
     if isinstance(error, (zipfile.BadZipFile, KeyError)):
-        reason = "it is damaged, or of another format; save it as .xlsx in a spreadsheet program"
+        reason = "it is damaged or has another format; save it as .xlsx in a spreadsheet program"
     of = f"sheet {quoted(sheet)}: " if sheet else ""
     return ReadError([of_file("E117", file, f"cannot be read as a workbook: {of}{reason}")])
 

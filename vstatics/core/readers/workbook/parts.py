@@ -87,7 +87,7 @@ class PackedParts:
     def __init__(self, data: bytes) -> None:
         """Read the list of sheets."""
         self._packed = zipfile.ZipFile(io.BytesIO(data))
-        files = self._packed.NameToInfo
+        files = self._packed.NameToInfo  # some programs write backslashes in paths
         files |= {path.replace("\\", "/"): file for path, file in files.items()}
         self._left = MOST_UNPACKED_BYTES
         roots = self._relations("")

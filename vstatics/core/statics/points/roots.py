@@ -196,8 +196,8 @@ def _with_edges(
 ) -> dict[U, tuple[Floats, Floats]]:
     """Insert the limits up to which torques exist into trials and surplus.
 
-    If friction locks a gear at only one of two neighbouring trials, a sign change before this limit
-    is then not missed.
+    If a gear is self-locking at only one of two neighbouring trials, a sign change before this
+    limit is then not missed.
     """
     edges = {unknown: Edges.of(grid, surplus[unknown]) for unknown, grid in grids.items()}
     together = sum(len(edge.cell) for edge in edges.values()) <= MOST_POINTS_AT_ONCE

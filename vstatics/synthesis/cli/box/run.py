@@ -173,9 +173,9 @@ def _search(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
             advance(1)
     asked = run.asked
     if pieces.given_up:
-        those = f"{count_of('choice', pieces.given_up)} of shift elements could not be looked at"
+        choices = f"{count_of('choice', pieces.given_up)} of shift elements could not be searched"
         advice = "expected narrower --bounds, or more --ratios"
-        files.say(f"warning: {those} to the end, and some of them may be boxes, too; {advice}")
+        files.say(f"warning: {choices} completely, so gearboxes can be missing; {advice}")
     boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
     check_most(len(boxes), MOST_MEASURED)
     figured: list[MeasuredBox] = []
