@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from copy import copy, deepcopy
 from dataclasses import replace
-from itertools import combinations, islice
+from itertools import combinations, islice, product
 
 import numpy as np
 
@@ -16,7 +17,13 @@ from vstatics.core.model.springs import Spring
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.impacts import impact
-from vstatics.simulation.events.instants import Instant, break_times, instant_of, large_sizes
+from vstatics.simulation.events.instants import (
+    Instant,
+    break_times,
+    instant_of,
+    large_sizes,
+    seen_at,
+)
 from vstatics.simulation.events.location import Finder, MarginEnd
 from vstatics.simulation.events.margins import FOLLOWING, Awaited, LargeSizes, Watch
 from vstatics.simulation.events.meetings import CornerMeetings, CornerPlace
@@ -44,8 +51,8 @@ from vstatics.simulation.system.devices import with_programmes
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
-from vstatics.simulation.system.shares import Slide
-from vstatics.simulation.system.sight import Corner, control_path, corners, with_settings
+from vstatics.simulation.system.shares import LEAVING, Slide
+from vstatics.simulation.system.sight import Compared, Corner, control_path, corners, with_settings
 from vstatics.simulation.system.sliding import slides
 from vstatics.simulation.system.structure import moves
 from vstatics.simulation.tolerances import (
@@ -66,6 +73,8 @@ from vstatics.simulation.tolerances import (
 
 _MOST_EVENTS_AT_ONCE = 60
 """Number of nearly simultaneous events above which a run stops."""
+_MANY_EVENTS_AT_ONCE = 30
+"""Number of nearly simultaneous events above which the motion is tried on each side of jumps."""
 _LOOSEST = 4096.0
 """Largest factor on tolerances of speed and torque while events repeat at an instant."""
 _MOST_EVENTS = 100_000
@@ -162,6 +171,8 @@ class EventRun:
             due = (progress.next_time() for progress in self.sequences)
             end = min(next(breaks, until), until, *due)
             event = self._to_event(selected, end)
+            if len(self.system.slides) > len(self.slides):  # the motion has left jumps
+                self._slide([*self.slides])
             self._go(equations, instant_of(equations, event.time, event.state))
             self._record_ends(event)
             self.scales = self.scales._replace(
@@ -365,7 +376,7 @@ class EventRun:
         jumps = [self.corners[place.corner].places[place.number] for place in places]
         sizes = {place: NEAR_JUMP * awaited.size for place, awaited in self.watched}
         sizes |= {place: slide.near for place, slide in self.slides.items()}
-        near = [sizes[place] for place in places]
+        near = [sizes.get(place, 0.0) for place in places]
         self.slides = dict(zip(places, slides(self.system, jumps, pairs, near), strict=True))
         system = replace(self.system, slides=tuple(self.slides.values()))
         self.system = with_settings(system, system.settings)
@@ -444,13 +455,17 @@ class EventRun:
         slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         asked = ModesAsked(at, before, scales, self.left, met)
+        fresh = asked._replace(left=())
         try:
             try:
-                selected = self.selection.select(asked)
+                selected = self.at_once > _MANY_EVENTS_AT_ONCE and self._at_jumps(fresh)
+                selected = selected or self.selection.select(asked)
             except NoChoice:
-                selected = self.selection.select(asked._replace(left=()))
+                selected = self.selection.select(fresh)
         except NoChoice:
-            raise self._no_state() from None
+            selected = self._at_jumps(fresh)
+            if not selected:
+                raise self._no_state() from None
         except np.linalg.LinAlgError:
             raise CaseError(
                 "E603",
@@ -463,6 +478,67 @@ class EventRun:
             states = selected.states
             self._note_alternative(asked._replace(left=[*self.left, states]), states)
         return selected
+
+    def _at_jumps(self, asked: ModesAsked) -> Selected | None:
+        """Return a state in which the motion leaves, or slides along, the jumps at which it is now.
+
+        The value of a formula for equal terms applies to no motion that leaves the jump. The value
+        on a side applies if the motion under this value goes to this side, and the mean of both
+        sides if the motion stays on the jump.
+        """
+        met = dict(self._jumps_met(asked.at))
+        jumps = [self.corners[place.corner].places[place.number] for place in met]
+        near = slides(self.system, jumps, [*met.values()], [0.0] * len(jumps))
+        groups = len({slide.share for slide in near})
+        ways = sorted(product((1.0, -1.0, 0.0), repeat=groups), key=lambda way: way.count(0.0))
+        before = self.slides, self.system, self.corners, self.selection
+        for way in ways[:_MOST_SUBSETS] if groups else ():
+            signs = [slide.sign * way[slide.share] for slide in near]
+            along = [place for place, sign in zip(met, signs, strict=True) if not sign]
+            if along:
+                self._slide([*self.slides, *along])
+            leaving = [
+                slide._replace(share=LEAVING, sign=sign)
+                for slide, sign in zip(near, signs, strict=True)
+                if sign
+            ]
+            self.system = replace(self.system, slides=(*self.system.slides, *leaving))
+            self.system = with_settings(self.system, self.system.settings)
+            self.selection = self.selection.of(self.system)
+            with suppress(NoChoice, CaseError, np.linalg.LinAlgError):
+                selected = self.selection.select(asked)
+                if self._follows(selected, [*met.values()], signs):
+                    if along:
+                        self.slides_from, self.fewer = asked.at.time, []
+                    return selected
+            self.slides, self.system, self.corners, self.selection = before
+        return None
+
+    def _jumps_met(self, at: Instant) -> Iterator[tuple[CornerPlace, Compared]]:
+        """Yield the jumps of formulas whose compared terms are equal at an instant."""
+        time, seen = math.nextafter(at.time, math.inf), seen_at(self.system, at)
+        for index, corner in enumerate(self.corners):
+            for number, pair in enumerate(corner.compared):
+                place = CornerPlace(index, number)
+                can_see = max(pair.places, default=0) < self.system.layout.seen_shares
+                if corner.jumps[number] and can_see and place not in self.slides:
+                    first, second = pair.at(time, seen)
+                    if abs(first - second) <= SLIDING * max(abs(first), abs(second), STANDING):
+                        yield place, pair
+
+    def _follows(
+        self, selected: Selected, pairs: Sequence[Compared], signs: Sequence[float]
+    ) -> bool:
+        """Return whether a motion goes to the given sides of jumps; 0 if it stays on the jump."""
+        equations, state = selected.equations, selected.state
+        rates = equations.rates(equations.time, state)[0]
+        if not largest(equations.share(equations.time, state, rates)) <= 1 + STANDING:
+            return False
+        judge = Judge(equations, equations.time, state, self.scales, self.record.value_scales)
+        return all(
+            not sign or SIGNS.get(judge.judged(pair).side) == sign
+            for pair, sign in zip(pairs, signs, strict=True)
+        )
 
     def _no_state(self) -> CaseError:
         at = self.at

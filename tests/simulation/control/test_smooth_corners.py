@@ -259,3 +259,60 @@ shift_elements: {D: {links: [a, b], drag: 15 N*m}, B: [b, housing]}
     motion = simulated(f'{start}{controls}torques: {{a: "{relay}"}}\n', case)
     end = 0.1 + 0.5 / 15
     assert motion.speeds[-1, 0] == pytest.approx(2.5 + (150 - 15) / 1.5 * (0.4 - end), rel=1e-7)
+
+
+def test_a_clutch_sticks_beyond_the_speed_at_which_its_control_jumps() -> None:
+    """C holds d at 1 rad/s until c has this speed; then the drag of 15 N*m moves both."""
+    case = """links: [c, d, e]
+inertias: {c: 0.084, d: 0.129, e: 0.104}
+shift_elements: {C: [c, d], D: {links: [d, e], drag: 15 N*m}, B: [d, housing]}
+"""
+    motion = simulated(
+        """duration: 0.03172
+start: {speeds: {c: 0, d: 0, e: 0}}
+controls: {C: "195*(slip('B') > 1)", D: 0}
+torques: {c: "400/3*t", e: "500*t"}
+""",
+        case,
+    )
+    first = math.sqrt(2 * (0.129 + 0.104) / 500)
+    pull = 200 / 3  # 200/3 t^2 + 15 (t - first) = 0.084 as c has 1 rad/s
+    met = (math.sqrt(15**2 + 4 * pull * (0.084 + 15 * first)) - 15) / (2 * pull)
+    beyond = (pull * (0.03172**2 - met**2) + 15 * (0.03172 - met)) / (0.084 + 0.129)
+    assert motion.speeds[-1, :2] == pytest.approx(1 + beyond, rel=1e-8)
+
+
+def test_a_clutch_slips_off_a_slide_as_it_reaches_its_capacity() -> None:
+    """C holds b and c at rest on the jump until its capacity is below 1/2.5 of the torque of c."""
+    case = """links: [a, b, c]
+inertias: {a: 0.074, b: 0.244, c: 3.791}
+shift_elements: {C: [a, b]}
+mechanisms: {M: {first: b, second: c, ratio: -2.5}}
+"""
+    motion = simulated(
+        """duration: 0.045
+start: {speeds: {a: -1.25, c: 0.5}}
+controls: {C: "206.8*(0.05 - t)"}
+torques: {a: "10*(2*(speed('c') > 0.5) - 0.7)", c: "16 - 800/3*t"}
+""",
+        case,
+    )
+    rise = 2.5 * 206.8 - 800 / 3
+    off = (2.5 * 206.8 * 0.05 - 16) / rise
+    later = 0.5 + rise * (0.045 - off) ** 2 / 2 / (3.791 + 2.5**2 * 0.244)
+    assert np.interp(off, motion.time, motion.speeds[:, 2]) == pytest.approx(0.5, rel=1e-9)
+    assert motion.speeds[-1, 2] == pytest.approx(later, rel=1e-9)
+
+
+def test_a_brake_holds_a_spring_at_rest_on_a_jump() -> None:
+    """The torque at rest is any mean of 0 and 98 N*m, of which the brake carries up to 20 N*m."""
+    motion = simulated(
+        """duration: 0.5
+start: {speeds: {a: 0}}
+controls: {B: 20}
+torques: {a: "98*(abs(twist('s')) >= abs(slip('B')))"}
+""",
+        "inertias: {a: 1}\nsprings: {s: {links: [a], stiffness: 1000}}\n"
+        "shift_elements: {B: [a, housing]}\n",
+    )
+    assert motion.speeds == pytest.approx(0, abs=1e-9)

@@ -128,7 +128,7 @@ class Equations:
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
         self.losses = VaryingLosses(self, carried) if system.varying else None
-        self.sliding = Sliding(self) if system.slides else None
+        self.sliding = Sliding(self) if self.layout.shares else None
         self.changes = ValueChanges(self)
         """Rates of change of control states and temperatures."""
 

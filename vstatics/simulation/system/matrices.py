@@ -33,7 +33,7 @@ from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import ControlState, Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme
-from vstatics.simulation.system.shares import Slide, share_name
+from vstatics.simulation.system.shares import LEAVING, Slide, share_name
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY
 
 
@@ -294,7 +294,7 @@ class PortLayout:
         self.seen_angles = self.ports + len(system.springs)
         """Index of the first angle among the quantities that formulas read; see `sight`."""
         self.seen_values = self.seen_angles + len(self.angles)
-        count = len({slide.share for slide in system.slides})
+        count = len({slide.share for slide in system.slides} - {LEAVING})
         self.shares = tuple(Seen("value", share_name(number)) for number in range(count))
         """Shares of the jumps along which the motion slides."""
         self.seen_shares = self.seen_values + len(self.values)

@@ -30,6 +30,8 @@ from vstatics.simulation.scenario.table_call import TableCall
 
 NOW = "present time"
 """Name of the time in `total_slope`, which no state can have."""
+LEAVING = -1
+"""Number instead of a share if the motion leaves a jump now, to the side `Slide.sign`."""
 
 
 class JumpPlace(NamedTuple):
@@ -53,7 +55,7 @@ class Slide(NamedTuple):
 
     place: JumpPlace
     share: int
-    """Number of the share. Jumps at the same instants have the same share."""
+    """Number of the share, or `LEAVING`. Jumps at the same instants have the same share."""
     sign: float
     """1, or -1 if the compared terms are in the other order than in the first such jump."""
     near: float = 0.0
@@ -87,7 +89,8 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
         {
             slide.share
             for slide in here
-            if on_sides(tree, [slide]) != on_sides(tree, [slide._replace(sign=-slide.sign)])
+            if slide.share != LEAVING
+            and on_sides(tree, [slide]) != on_sides(tree, [slide._replace(sign=-slide.sign)])
         }
     )
     mean: Tree = Constant(0.0)

@@ -136,6 +136,11 @@ class Compared(NamedTuple):
     first: Look
     second: Look
 
+    @property
+    def places(self) -> tuple[int, ...]:
+        """Indices of the quantities that both numbers depend on, among all seen quantities."""
+        return self.first.places + self.second.places
+
     def at(self, time: float, seen: Sequence[float]) -> tuple[float, float]:
         """Return both numbers at an instant."""
         return self.first.at(time, seen), self.second.at(time, seen)

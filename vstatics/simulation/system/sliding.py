@@ -47,7 +47,7 @@ class Sliding:
         system = equations.system
         self.back = _RETURN / system.scenario.span
         firsts = {slide.share: slide for slide in reversed(system.slides)}
-        self.slides = [firsts[number] for number in sorted(firsts)]
+        self.slides = [firsts[number] for number in range(len(equations.layout.shares))]
         self.looks = [
             looking(system, slide.place.difference, slide.place.rate, slide.place.angle)
             for slide in self.slides
