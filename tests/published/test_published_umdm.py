@@ -153,24 +153,13 @@ def test_2_willis_relation_of_any_two_wheels_in_every_gear(of: Speeds) -> None:
                     assert n[a] == pytest.approx(n[b] * i + n["5"] * (1 - i), abs=1e-10)
 
 
-def test_3_gives_the_absolute_speed_of_a_planet() -> None:
+def test_3_gives_the_absolute_speed_of_a_planet(results: dict[str, Results]) -> None:
     """With i_q,out = n_q/n_out of a planet q; printed as the relative speed: put right here."""
-    document = group_case()
-    for name in document["gears"]:
-        n = speeds(document, name)
-        i_a6, i_b8 = Fraction(Z["6"], Z["2"]), Fraction(Z["8"], Z["3'"])
-        assert n["P.A"] == n["6"] * i_a6 + n["5"] * (1 - i_a6)
-        assert n["P.B"] == n["8"] * i_b8 + n["5"] * (1 - i_b8)
-        assert n["P.A"] - n["5"] == (n["6"] - n["5"]) * i_a6
-
-
-def test_3_planets_are_links_at_the_meshes_and_turn_so(results: dict[str, Results]) -> None:
-    document = group_case()
-    for name in document["gears"]:
-        exact = speeds(document, name)
-        found = link_speeds(results["meshes"], name)
-        assert found["P.A"] == close(exact["P.A"]), name
-        assert found["P.B"] == close(exact["P.B"]), name
+    i_a6, i_b8 = Z["6"] / Z["2"], Z["8"] / Z["3'"]
+    for name in group_case()["gears"]:
+        n = link_speeds(results["meshes"], name)
+        assert n["P.A"] == close(n["6"] * i_a6 + n["5"] * (1 - i_a6)), name
+        assert n["P.B"] == close(n["8"] * i_b8 + n["5"] * (1 - i_b8)), name
 
 
 def of_meshes() -> list[Fraction]:
@@ -583,14 +572,8 @@ def test_table_1_by_one_command_for_all_ports() -> None:
 
 
 def test_the_lock_up_torques_of_all_15_pairs() -> None:
-    """(17) to (19): M_F/M_1 = n_1/(n_x - n_y) with the speeds of neutral, n_8 = 0, by fractions.
-
-    With n_1 = 1: n_H = 1/(1 - i_18) by (9), n_k = n_H + (1 - n_H)/i_1k by (10) to (12).
-    """
-    carrier = 1 / (1 - I18)
-    neutral = {"1": Fraction(1), "5": carrier, "8": Fraction(0)}
-    for link, own in (("4", I14), ("6", I16), ("7", I17)):
-        neutral[link] = carrier + (1 - carrier) / own
+    """(17) to (19): M_F/M_1 = n_1/(n_x - n_y) with the speeds of neutral, n_8 = 0, by fractions."""
+    neutral = speeds(group_case(), gear("1", "4", "8"))
     found = {name: one for name, one in of_ports("1-8")["1-8"].items() if one["kind"] == "direct"}
     assert len(found) == 15
     for first, second in PAIRS:
