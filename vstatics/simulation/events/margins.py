@@ -95,6 +95,7 @@ class SplitRoom(NamedTuple):
     room: float
     """Smallest slack of `widest`, negative if no split is within all limits. [N*m]"""
     known: KnownLimits
+    """Limits found in other splits of the same run."""
 
     @property
     def tight(self) -> Booleans:
