@@ -490,9 +490,14 @@ class EventRun:
         jumps = [self.corners[place.corner].places[place.number] for place in met]
         near = slides(self.system, jumps, [*met.values()], [0.0] * len(jumps))
         groups = len({slide.share for slide in near})
-        ways = sorted(product((1.0, -1.0, 0.0), repeat=groups), key=lambda way: way.count(0.0))
+        ways = (
+            way
+            for on_jump in range(groups + 1)
+            for way in product((1.0, -1.0, 0.0), repeat=groups)
+            if way.count(0.0) == on_jump
+        )
         before = self.slides, self.system, self.corners, self.selection
-        for way in ways[:_MOST_SUBSETS] if groups else ():
+        for way in islice(ways, _MOST_SUBSETS if groups else 0):
             signs = [slide.sign * way[slide.share] for slide in near]
             along = [place for place, sign in zip(met, signs, strict=True) if not sign]
             if along:
