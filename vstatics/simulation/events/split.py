@@ -89,8 +89,9 @@ def _independent(bytes_of_directions: bytes, limits: int, count: int) -> Floats 
         b_ub=np.zeros(limits),
         bounds=[(None, None)] * columns + [(None, 1.0)],
     )
-    is_bounded = growing.success and growing.x[-1] < REGULAR_CORNER
-    return np.ascontiguousarray(independent) if is_bounded else None
+    if growing.x is None or growing.x[-1] > REGULAR_CORNER:
+        return None
+    return np.ascontiguousarray(independent)
 
 
 @lru_cache(maxsize=64)
