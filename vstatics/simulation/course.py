@@ -149,6 +149,8 @@ class EventRun:
         """Corners at which a formula could jump, but was continuous when last reached."""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Nearest corners of formulas, each with the comparison that changes its sign there."""
+        self.too_small_at = math.nan
+        """Time at which time steps became too small on a jump, so that its sides are tried. [s]"""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
@@ -374,9 +376,14 @@ class EventRun:
         """Let the motion slide along the jumps of formulas at some corners from now on."""
         pairs = [self.corners[place.corner].compared[place.number] for place in places]
         jumps = [self.corners[place.corner].places[place.number] for place in places]
+        seen = seen_at(self.system, self.at)
         sizes = {place: NEAR_JUMP * awaited.size for place, awaited in self.watched}
         sizes |= {place: slide.near for place, slide in self.slides.items()}
-        near = [sizes.get(place, 0.0) for place in places]
+        near = [
+            sizes.get(place)
+            or NEAR_JUMP * largest(np.array([*pair.at(self.at.time, seen), STANDING]))
+            for place, pair in zip(places, pairs, strict=True)
+        ]
         self.slides = dict(zip(places, slides(self.system, jumps, pairs, near), strict=True))
         system = replace(self.system, slides=tuple(self.slides.values()))
         self.system = with_settings(system, system.settings)
@@ -456,10 +463,11 @@ class EventRun:
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         asked = ModesAsked(at, before, scales, self.left, met)
         fresh = asked._replace(left=())
+        selected: Selected | None
         try:
             try:
-                selected = self.at_once > _MANY_EVENTS_AT_ONCE and self._at_jumps(fresh)
-                selected = selected or self.selection.select(asked)
+                repeats = at.time == self.too_small_at or self.at_once > _MANY_EVENTS_AT_ONCE
+                selected = (repeats and self._at_jumps(fresh)) or self.selection.select(asked)
             except NoChoice:
                 selected = self.selection.select(fresh)
         except NoChoice:
@@ -619,7 +627,12 @@ class EventRun:
         except TooSmall:
             if behind := self._behind_corner(equations, end):
                 return behind
-            raise CaseError([self._too_small(equations)]) from None
+            time, state = self.record.time, self.record.pieces[-1].states[-1]
+            jumps = self._jumps_met(instant_of(equations, time, state))
+            if time == self.too_small_at or not any(jumps):
+                raise CaseError([self._too_small(equations)]) from None
+            self.too_small_at = time
+            return MarginEnd(time, state, ())
         return MarginEnd(end, step.last, ())
 
     def _jumps_due(self, equations: Equations, state: Floats) -> set[int]:
