@@ -269,7 +269,7 @@ def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
         pushed = first.smooth(t, v, a) - sprung, second.smooth(t, w, b) + sprung
         return [pushed[0] / inertias[0], pushed[1] / inertias[1], v, w]
 
-    found = solve_ivp(change, (0.0, 2.0), [*start, 0.0, 0.0], "Radau", rtol=1e-7, atol=1e-8)
+    found = solve_ivp(change, (0.0, 2.0), [*start, 0.0, 0.0], "Radau", rtol=1e-9, atol=1e-10)
     assert motion.speeds[-1] == pytest.approx(found.y[:2, -1], abs=2e-4)
 
 

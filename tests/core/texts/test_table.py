@@ -22,7 +22,7 @@ MADE = (
     *("lost", "kJ", "{count} error", "{count} warning", "{count} note", "neutral: the output"),
     *("Other combinations", "power enters by", "power leaves by", "the gear is", "x by the "),
     *("Torques of mechanisms, springs", "Torques of the members of the elements, of springs"),
-    *("{number} of {all} ", "turns a second"),
+    *("{number} of {count} ", "turns a second"),
 )
 """Beginnings of texts that are made of words, each of them said."""
 
