@@ -87,10 +87,10 @@ def test_charts_of_a_van_can_be_read_and_fit_the_paper(path: Path) -> None:
     [
         ("plan", "wilson-preselector.yaml"),
         ("lever", "ford-model-t.yaml"),
-        ("dump", "moskvich412.yaml"),
+        pytest.param("dump", "moskvich412.yaml", marks=needs("torsion")),
         pytest.param("lever", "mercedes-5g.yaml", marks=pytest.mark.slow),
-        pytest.param("campbell", "moskvich412.yaml", marks=pytest.mark.slow),
-        pytest.param("response", "moskvich412.yaml", marks=pytest.mark.slow),
+        pytest.param("campbell", "moskvich412.yaml", marks=(pytest.mark.slow, needs("torsion"))),
+        pytest.param("response", "moskvich412.yaml", marks=(pytest.mark.slow, needs("torsion"))),
     ],
 )
 def test_letters_of_a_narrow_page_stay_on_it(kind: str, name: str) -> None:
