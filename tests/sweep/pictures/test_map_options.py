@@ -178,6 +178,7 @@ def test_equal_gears_with_long_names_have_a_readable_map() -> None:
     assert any("efficiency = 0.900" in title for title in titles)
 
 
+@needs("vehicle")
 def test_panels_of_a_narrow_map_stand_below_each_other() -> None:
     """The full load from 100 to 300 rad/s is as wide as a panel."""
     limits = of_class(drawn("--limits", "car.yaml", "--width", "85mm"), "limit")

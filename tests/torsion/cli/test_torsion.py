@@ -11,6 +11,7 @@ import pytest
 
 from tests.commands import CASES, NEUTRAL, environment, vstatics
 from tests.core.cli.test_schemas import validator
+from tests.installed import needs
 from tests.processes import names
 from tests.torsion.cli.torsional import (
     ASKED,
@@ -259,6 +260,7 @@ def test_what_does_not_exist_is_null_in_json_and_empty_in_csv() -> None:
     assert lost[1:] == [""] * len(gear["modes"])
 
 
+@needs("vehicle")
 def test_a_vehicle_and_a_half_shaft_to_nothing_are_noted() -> None:
     """The half-shaft cannot twist; 1200 kg on wheels of 0.3 m are 108 kg*m^2."""
     text = (

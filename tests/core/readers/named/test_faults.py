@@ -6,6 +6,7 @@ The places were counted in the files, not taken from the program.
 import pytest
 
 from tests.commands import BAD_FILES
+from tests.installed import needs
 from vstatics.core import readers
 from vstatics.core.errors import ReadError
 
@@ -224,6 +225,7 @@ wheels do not contain it.
         "{wheels: 40}",
     ],
 )
+@needs("vehicle")
 def test_a_value_that_cannot_be_read_is_compared_with_no_other_value(value: str) -> None:
     with pytest.raises(ReadError) as caught:
         readers.loads(CAR.replace(value, "'?'", 1))
