@@ -6,7 +6,8 @@ combinations, and `selection` selects a combination. `split` divides redundant t
 `impacts` calculates speeds after an impact. Then `stretches` integrates in closed form, with
 matrices of `exponential`, or `time_steps` by an explicit method. `margins` measures the distance
 from each change of state, and `location` finds the time at which a margin becomes negative. `sides`
-decides comparisons of formulas, `meetings` detects those that change without end. `sequences` finds
-the step of a sequence that is due, and `sequence_commands` carries it out. `unbounded` explains
-runs that cannot go on.
+decides comparisons of formulas, `meetings` detects those that change without end, and
+`formula_corners` lets the motion slide along their jumps. `sequences` finds the step of a sequence
+that is due, and `sequence_commands` carries it out. `stops` and `unbounded` explain runs that
+cannot go on.
 """

@@ -29,7 +29,7 @@ class CornerPlace(NamedTuple):
     """Identity of a formula corner, at which two compared numbers are equal."""
 
     corner: int
-    """Index in `EventRun.corners`."""
+    """Index in `FormulaCorners.all`."""
     number: int
     """Index in `Corner.compared`."""
 

@@ -6,5 +6,5 @@ calculates additional columns, `row_names` lists their names, `moments` differen
 `converters` calculates converter efficiencies, and `targets` the times of target speeds.
 `picture_tables` adds columns for pictures. `account` balances the energy, and `dynamic_factors`
 compares torques with static torques. `motion` declares the result. `tables`, `columns` and `answer`
-write it, and `words` names its events.
+write it. `state_changes` adds events to a record, and `words` names them.
 """
