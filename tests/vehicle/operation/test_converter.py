@@ -19,8 +19,8 @@ from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import Trace, read_trace
 from vstatics.vehicle.operation.traction import Traction, performance
 

@@ -29,9 +29,9 @@ from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers import sweep_tables
 from vstatics.core.summary.design_table import design
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
 from vstatics.vehicle.operation.trace import Trace, read_trace
 from vstatics.vehicle.operation.traction import performance

@@ -28,8 +28,8 @@ from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers.named.law_formulas import DragFormula, EfficiencyFormula
 from vstatics.core.writers.named import write_yaml
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import Trace, read_trace
 from vstatics.vehicle.operation.traction import performance
 

@@ -17,8 +17,8 @@ from tests.core.readers.named.test_signs_of_print import spoilt
 from vstatics import CaseError, Gear, Mechanism, ReadError, Transmission
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import read_trace
 
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)

@@ -12,8 +12,8 @@ from vstatics import Gear, Mechanism, ShiftElement, Transmission, load
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import read_trace
 from vstatics.vehicle.operation.traction import performance
 

@@ -29,8 +29,8 @@ from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.case.vehicle import Vehicle
 
 if TYPE_CHECKING:
-    from vstatics.vehicle.operation.cycle_steps import GearChoice
     from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
+    from vstatics.vehicle.operation.gear_choice import GearChoice
     from vstatics.vehicle.operation.shifting import ShiftSpeed
     from vstatics.vehicle.operation.trace import Trace
 
@@ -60,7 +60,7 @@ def _shifts(text: str) -> list[ShiftSpeed]:
 def _choice(
     least_speed: float | None, shifts: list[ShiftSpeed] | None, strategy: str | None
 ) -> GearChoice:
-    from vstatics.vehicle.operation.cycle_steps import GearChoice
+    from vstatics.vehicle.operation.gear_choice import GearChoice
 
     given = {
         "--least-speed": least_speed is not None,

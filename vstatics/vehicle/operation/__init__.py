@@ -4,8 +4,8 @@
 `point_loads` solves. `traction` calculates the force, top speeds and acceleration of a vehicle.
 `converter` determines the speed ratio of a converter in a gear from the torque on its pump, and
 `converter_steps` uses it in a driving cycle. `drive_cycle` drives a `trace` in `cycle_steps`, with
-the `fuel_map` of the engine. `shifting` chooses the gears of a trace without gears. `driving` is
-the Python interface.
+the `fuel_map` of the engine. `cycle_case` adapts the case to a cycle, `gear_choice` returns the
+gears of a trace, and `shifting` chooses gears by speeds. `driving` is the Python interface.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.vehicle.case.vehicle import Vehicle

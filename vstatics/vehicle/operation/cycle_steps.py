@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
-from vstatics.core.model.parts import Law, Load, OfLoad
+from vstatics.core.model.parts import Law, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
 from vstatics.core.statics.points.relative import RPM
 from vstatics.core.statics.power import loss_name
-from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
@@ -31,18 +29,15 @@ from vstatics.vehicle.operation.converter import (
     solved_slips,
 )
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
+from vstatics.vehicle.operation.cycle_case import ends_of, relative_drag, turned, with_clutches
+from vstatics.vehicle.operation.gear_choice import GearChoice, chosen_gears
 from vstatics.vehicle.operation.point_loads import (
     DutyPoints,
     PointLoads,
     at_rows,
-    numbers_of_gears,
-    unknown_gear,
 )
 from vstatics.vehicle.operation.shifting import (
     EngineSpeeds,
-    ShiftSpeed,
-    by_least_speed,
-    by_shift_speeds,
     directions,
 )
 from vstatics.vehicle.operation.trace import Trace, blocks
@@ -63,24 +58,6 @@ MOST_DRAG_ROUNDS = 200
 """Largest number of calculations of drag that is relative to the input torque."""
 
 _ALL_IS_DRAG = "drag without unit takes all of the input torque; give drag in N*m"
-_AT_STANDSTILL = ("", "0", "0.0", "n", "p")
-"""Names that published cycles give the neutral gear, allowed at standstill."""
-_IN_NEUTRAL = ": a moving vehicle needs a gear, and coasting in neutral is not calculated"
-
-
-class GearChoice(NamedTuple):
-    """Rule that chooses gears for a trace without gears."""
-
-    least_speed: float | None = None
-    """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
-    shifts: Sequence[ShiftSpeed] = ()
-    least_loss: bool = False
-    """True if each step has the gear that needs the least energy of engine or battery."""
-
-    @property
-    def slowest(self) -> float | None:
-        """Least engine speed [rad/s]; 0 with `least_loss`, for steps beyond full load."""
-        return 0.0 if self.least_loss else self.least_speed
 
 
 class CycleLosses(NamedTuple):
@@ -155,7 +132,7 @@ class CycleSteps(NamedTuple):
         converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
         case = bare(case)
         results, added = solved_slips(case)
-        case, opening = _with_clutches(case, results)
+        case, opening = with_clutches(case, results)
         of_input, of_output = ((np.arange(len(case.gears)), links - 1) for links in ends_of(case))
         with np.errstate(all="ignore"):
             ratios = results.speeds / results.speeds[of_output][:, None]
@@ -169,7 +146,7 @@ class CycleSteps(NamedTuple):
             *(wheels, engine_ratios, at_rest[of_input], vehicle.may_turn, converters)
         )
         driving = np.where([not why for why in beside], results.ratio, math.nan)
-        gears = _gears(case, trace, choice, engine, driving)
+        gears = chosen_gears(case, trace, choice, engine, driving)
         speeds = engine.of(gears)
         with np.errstate(invalid="ignore"):
             lacking = np.flatnonzero(~(np.isfinite(driving[gears]) & (speeds > 0)) & (wheels > 0))
@@ -602,74 +579,6 @@ class DrivenSteps(NamedTuple):
     """True in steps in which brakes absorb excess drive, or replace missing engine braking."""
 
 
-def _with_clutches(
-    case: Transmission, results: Results
-) -> tuple[Transmission, dict[int, list[int]]]:
-    """Return a case in which clutches replace freewheels that hold only when driving.
-
-    The second result contains the numbers of these freewheels that hold in a gear, by the index of
-    the gear.
-
-    Parameters
-    ----------
-    results : Results
-        Results of the driving case without drag.
-    """
-    if not case.freewheels:
-        return case, {}
-    coasting = solve(results.case.replace(load=Load(1000.0, -1.0))).holds
-    numbers = [
-        n for n in case.freewheels if results.holds[:, n - 1].any() and not coasting[:, n - 1].any()
-    ]
-    elements, gears = list(case.shift_elements), list(case.gears)
-    for number in numbers:
-        elements[number - 1] = elements[number - 1]._replace(kind="")
-    opening = {}
-    for index, gear in enumerate(gears):
-        if held := [number for number in numbers if results.holds[index, number - 1]]:
-            opening[index] = held
-            gears[index] = gear._replace(engaged=(*gear.engaged, *held))
-    return case.replace(shift_elements=elements, gears=gears), opening
-
-
-def ends_of(case: Transmission) -> tuple[Integers, Integers]:
-    """Return the input link and the output link of each gear, each of shape (gears,)."""
-    ends = [(case.gear_input(gear), case.gear_output(gear)) for gear in case.gears]
-    inputs, outputs = np.array(ends).T
-    return inputs, outputs
-
-
-def turned(case: Transmission, ratios: Floats) -> Transmission:
-    """Return a case with output and input exchanged, without losses of gears as a whole.
-
-    `ratios` are link speeds divided by output speed, shape (gears, links) [-].
-    """
-    gears = []
-    for gear, by_output in zip(case.gears, ratios, strict=True):
-        ends = case.gear_input(gear), case.gear_output(gear)
-        ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
-        driven = not math.isnan(ratio)  # a gear without a ratio drives nothing
-        slip = {
-            n: slip if isinstance(slip, OfLoad) else slip * ratio if slip and driven else 0.0
-            for n, slip in gear.slip.items()
-        }
-        gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
-    return case.replace(gears=gears, outputs=())
-
-
-def relative_drag(case: Transmission) -> dict[str, float]:
-    """Return drag torques without unit, which are relative to the input torque, by path [-]."""
-    links = [case.link_name(number + 1) for number in range(case.links)]
-    names = {"drag": links, "open_drag": [element.name for element in case.shift_elements]}
-    return {
-        f"gears.{gear.name}.{quantity}.{of_part[part - 1]}": drag
-        for gear in case.gears_with_drag
-        for quantity, of_part in names.items()
-        for part, drag in getattr(gear, quantity).items()
-        if drag and not isinstance(drag, Law | OfLoad)
-    }
-
-
 def _with_loss(loss: Law, rows: Integers, speeds: Floats, torques: Floats) -> Floats:
     """Return input torques in a gear, increased by its overall loss, in the steps `rows` [N*m]."""
     with_loss, counts = braked_torques(loss, speeds, torques)
@@ -687,67 +596,3 @@ def _with_loss(loss: Law, rows: Integers, speeds: Floats, torques: Floats) -> Fl
     if problems:
         raise CaseError(problems)
     return with_loss
-
-
-def _gears(
-    case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
-) -> Integers:
-    """Return the gear index of each step: from the trace, by shift speeds, or highest possible.
-
-    Parameters
-    ----------
-    ratios : ndarray, shape (gears,)
-        Ratios of the case; NaN if other machines drive, too. [-]
-
-    Raises
-    ------
-    CaseError
-        If a gear is not in the case, if no gear is given, or if shifts are not in ascending order.
-    """
-    names = [gear.name for gear in case.gears]
-    ways = {
-        "the column `gear`": bool(trace.gears),
-        "--shift": bool(choice.shifts),
-        "--least-speed": choice.least_speed is not None,
-        "--strategy": choice.least_loss,
-    }
-    if len(means := [name for name, given in ways.items() if given]) > 1:
-        message = f"{' and '.join(means)} both give the gears, expected one of them"
-        raise CaseError("E426", message, place=trace.place)
-    if choice.slowest is not None:
-        ahead = next(iter(directions(ratios, names)), [])
-        return by_least_speed(engine, choice.slowest, ahead)
-    if choice.shifts:
-        try:
-            return by_shift_speeds(case, choice.shifts, trace.speed, engine, ratios)
-        except ValueError as error:
-            raise CaseError("E426", f"--shift: {error}") from None
-    if not trace.gears:
-        if len(names) == 1:
-            return np.zeros(len(trace.speed), np.int64)
-        message = "the trace has no column `gear`, expected this column or one of --shift, "
-        message += f"--least-speed and --strategy{trace.hint_of_gears}"
-        raise CaseError("E426", message, place=trace.place)
-    neutrals = {name for name in {*trace.gears} - {*names} if name.casefold() in _AT_STANDSTILL}
-    standing: Booleans = trace.speed <= 0
-    given = _given_gears(trace, neutrals)
-    chosen = numbers_of_gears(case, given)
-    problems = [
-        Problem("E416", unknown_gear(case, name) + _IN_NEUTRAL * (name in neutrals), (row,))
-        for row, name in enumerate(given)
-        if chosen[row] is None and not (standing[row] and name in neutrals)
-    ]
-    if problems:
-        raise CaseError(problems)
-    return np.array([number or 0 for number in chosen])
-
-
-def _given_gears(trace: Trace, neutrals: Collection[str]) -> list[str]:
-    """Return the gear names of a trace; from rest in neutral, a step has the gear of its end."""
-    from_rest = np.array(trace.table.numbers["speed"][:-1]) == 0
-    return [
-        end if moves_off and name in neutrals else name
-        for moves_off, (name, end) in zip(
-            from_rest & (trace.speed > 0), pairwise(trace.table.texts["gear"]), strict=True
-        )
-    ]

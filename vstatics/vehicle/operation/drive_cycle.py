@@ -30,13 +30,9 @@ from vstatics.core.statics.points.machines import outside_map
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import Sometimes, document, json_keys
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
-from vstatics.vehicle.operation.cycle_steps import (
-    CycleLosses,
-    CycleSteps,
-    DrivenSteps,
-    GearChoice,
-)
+from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, DrivenSteps
 from vstatics.vehicle.operation.fuel_map import FuelMap
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import NO_CYCLE_ENERGY, SAME_ENGINE_TORQUE
 

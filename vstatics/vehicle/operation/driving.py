@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Literal
 from vstatics.core.arguments import naming, refusing
 from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.shifting import read_shifts
 from vstatics.vehicle.operation.trace import Trace, read_trace
 
