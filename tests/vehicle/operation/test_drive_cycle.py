@@ -253,14 +253,15 @@ def test_as_many_gears_both_ways_are_told_apart_by_their_names(
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
-    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
+    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0, 0))]
     text = trace(*rows)._replace(gears=[])
     shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
     first, ahead = CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=1.5)
     case = CASE.replace(mechanisms=[first, ahead])
     least = 5 * 1.5 * 4.1 / 0.3  # of the engine in the second gear at 5 m/s
     for choice in (GearChoice(shifts=shifts), GearChoice(least)):
-        assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1"]
+        assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1", "1"]
+    assert drive(case, text, GearChoice(least_loss=True)).gears[-1] == "1"  # at rest
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
     named = trace((0, 4, "1"), (2, 8, "1"))

@@ -99,7 +99,7 @@ def _choice(
         "--strategy",
         type=click.Choice(["least-loss"]),
         help="Engage in each time step the gear in which engine or battery supplies the least "
-        "energy, or recovers the most, within full load.",
+        "energy, or absorbs the most when braking, within full load.",
     ),
 )
 @under(

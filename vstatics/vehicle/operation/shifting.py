@@ -181,8 +181,8 @@ def by_shift_speeds(
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
     """Return the highest gear, for each step, in which the engine reaches a least speed.
 
-    If no gear reaches it, the lowest gear within the last engine speed is chosen. If all gears
-    exceed the last engine speed, the highest gear is chosen.
+    If no gear reaches it, and at standstill, the lowest gear within the last engine speed is
+    chosen. If all gears exceed the last engine speed, the highest gear is chosen.
 
     Parameters
     ----------
@@ -210,5 +210,5 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
         chosen[engine.may_turn(engine.of(gear))] = gear
     for gear in reversed(ascending):
         speeds = engine.of(gear)
-        chosen[engine.may_turn(speeds) & (speeds >= least)] = gear
+        chosen[engine.may_turn(speeds) & (speeds >= least) & (engine.output > 0)] = gear
     return chosen
