@@ -412,6 +412,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         right = (files / file).read_text()
         (files / file).write_text(text)
         assert vstatics("cycle", "car.yaml", "t.csv").gives_nothing(said)
+        assert vstatics("check", "car.yaml").fails(said) == (file == "fuel.csv")
         (files / file).write_text(right)
     for command in ("cycle", "damage"):
         ran = vstatics(command, "t.csv", "car.yaml")

@@ -180,12 +180,9 @@ def of_law(  # noqa: PLR0913
 
 
 def _in_file(problem: Problem, law: Law, path: Path) -> Problem:
-    """Return a problem at a law, with the name of its file and the line of the point, if any."""
-    line = ""
-    if law.lines and len(problem.path) > len(path):
-        line = f", line {law.lines[int(problem.path[len(path)]) - 1]}"
+    """Return a problem at a law, with the name of its file."""
     file = quoted(os.path.basename(law.file))  # noqa: PTH119 (pathlib costs start-up time)
-    return problem._replace(path=path, message=f"read {file}{line}: {problem.message}")
+    return problem._replace(path=path, message=f"read {file}: {problem.message}")
 
 
 def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:

@@ -552,8 +552,6 @@ class Law(float):
     """Text of a law given by a formula; empty for other laws."""
     file: str = ""
     """Name of the file with the points. Laws that differ only in the file name are equal."""
-    lines: tuple[str, ...] = ()
-    """Line number and numbers of each point in the file; empty for maps and without a file."""
 
     def at(self, *sizes: Size) -> Size:
         """Return the value at the arguments from `sizes_of`, which are numbers or arrays."""

@@ -65,7 +65,9 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
         ("kNm,rpm\n0,1\n", "read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`"),
         ("speed,torque,eta\nrpm,N*m,%\n0,5,90\n", "line 1: read the heading 'eta' of a map"),
-        ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6 (9 rpm, -1 N*m): read -1, exp"),
+        ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6: read -1 N*m, expected a t"),
+        ("rpm,Nm\n900,1\n800,2\n", "line 3: read 800 rpm, expected a speed above 900 rpm: points"),
+        ("rpm,Nm,fuel [g/h]\n9,1,2\n9,2,3\n", "line 1: read the heading 'fuel' of a map"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )
