@@ -365,6 +365,7 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(files: Path) 
     assert (ran.status, ran.json["cycle"]["messages"]) == (0, [])
     ran = vstatics(*asked[:-1], "1000")
     assert ran.is_wrong_use("read '1000', expected a speed with its unit")
+    assert vstatics(*asked[:-2], "--shift", "1-2: 9/6").is_wrong_use("each speed with its unit")
 
 
 def test_fuel_is_bilinear() -> None:

@@ -561,6 +561,10 @@ class Law(float):
         """Return whether the arguments from `sizes_of` are outside the points of the law."""
         raise NotImplementedError
 
+    def domain(self) -> str:
+        """Return the range of the points as text for messages."""
+        raise NotImplementedError
+
     def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:
         """Return the arguments on which the law depends: speed [rad/s], torque [N*m] or both."""
         if self.over == "both":

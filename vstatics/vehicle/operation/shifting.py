@@ -55,7 +55,8 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
         up, down = _two_speeds(speeds)
         if not (colon and dash and low and high) or up is None or down is None:
             example = "1-2: 15 km/h/12 km/h, 2-3: 30 km/h/25 km/h"
-            raise ValueError(f"read {item.strip()!r}, expected a text such as {example!r}")
+            expected = f"a text such as {example!r}, each speed with its unit"
+            raise ValueError(f"read {item.strip()!r}, expected {expected}")
         if down > up:
             raise ValueError(f"read {item.strip()!r}, expected a downshift below the upshift")
         if shifts and shifts[-1].high != low:

@@ -187,7 +187,8 @@ def _numbers(heads: Sequence[Heading], row: Sequence[str], line: int) -> Iterato
             if column.measure:
                 yield measured(f"{row[place]} {unit}", column.measure)
             else:
-                yield scalars.number(row[place] + "%" * (unit == "%"))
+                cell = row[place]  # a spreadsheet repeats the sign of the heading
+                yield scalars.number(f"{cell.rstrip('% ')}%" if unit == "%" else cell)
         except ValueError as error:
             message = f"line {line}: {column.name}: read {row[place]!r}, {error}"
             raise ValueError(message) from None
