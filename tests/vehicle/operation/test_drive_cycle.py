@@ -401,13 +401,14 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         # rows within a second: github.com/uholeschak/ediabaslib/issues/15
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0 s after 0 s, e"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("t.csv", "time [s],speed [km/h]\n0,1\n1,-9\n", ":3:1: error: speed: read -9 km/h, exp"),
         ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", ":1:1: error: the trace has no column `gear`"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", "`gear`, `selected gear`, `gear number` or"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:26: error: fuel: read the unit 'kg'"),
-        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1, expected 0 or more"),
+        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1 g/h, expected 0 or"),
         ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
     ):
         right = (files / file).read_text()
