@@ -120,6 +120,9 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             read = f"{value * 100:g} %" if heads[-1].unit == "%" else f"{value:g}"
             raise ValueError(f"line {line}: read {read}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
+    if heads[-1].unit == "%" and all(value <= 0.01 for _, value in points.values()):
+        hint = "all values are 1 or below; fractions need the heading `efficiency`"
+        raise ValueError(f"expected percentages such as 95: {hint}")
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
         if (speed, torque) not in points:
@@ -183,12 +186,12 @@ def _numbers(heads: Sequence[Heading], row: Sequence[str], line: int) -> Iterato
     for column, place, unit in heads:
         if place >= len(row):
             raise ValueError(f"line {line}: expected {len(heads)} numbers")
+        cell = row[place].strip().removesuffix(unit or "")  # cells can repeat the unit
         try:
             if column.measure:
-                yield measured(f"{row[place]} {unit}", column.measure)
+                yield measured(f"{cell} {unit}", column.measure)
             else:
-                cell = row[place]  # a spreadsheet repeats the sign of the heading
-                yield scalars.number(f"{cell.rstrip('% ')}%" if unit == "%" else cell)
+                yield scalars.number(cell + "%" * (unit == "%"))
         except ValueError as error:
             message = f"line {line}: {column.name}: read {row[place]!r}, {error}"
             raise ValueError(message) from None
