@@ -51,6 +51,7 @@ ANNEX = Annex(
         "duty_points": "vstatics.vehicle.duty_file",
         "expect_damage": "vstatics.vehicle.cli.strengths",
         "full_load_curves": "vstatics.vehicle.case.vehicle",
+        "read_fuel": "vstatics.vehicle.cli.cycle",
         "torque_life": "vstatics.vehicle.damage.rayleigh",
         "vehicle_section": "vstatics.vehicle.operation.traction",
     },

@@ -90,12 +90,14 @@ def test_check_writes_to_a_file_by_its_suffix() -> None:
 
 
 def test_a_note_tells_which_gear_asks_a_law_outside_its_points() -> None:
-    """Half the 2000 rpm are 105 rad/s."""
+    """Half the 2000 rpm are 105 rad/s, and 3000/pi rpm are 100 rad/s."""
     gears = "gears:\n"
     for name, end in (("near", 110), ("far", 100)):
         gears += f"  {name}: {{drag: {{out: [[0, 1], [{end}, 2]]}}}}\n"
     said = vstatics("check", "-", stdin=f"{PAIR}{gears}".encode()).err
-    words = "outside the points of out, the value of the nearest end point applies"
+    words = (
+        "outside the points of out (0 to 954.93 rpm), the value of the nearest end point applies"
+    )
     assert f"<stdin>:6:3: note: gear far: {words}" in said
     assert "gear near" not in said
 

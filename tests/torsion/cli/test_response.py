@@ -178,7 +178,7 @@ def test_wrong_use(option: str) -> None:
     for one in WRONG[option]:
         words = [word for pair in {**right, option: one}.items() for word in pair]
         answer = said("response", *words, text=GOOD)
-        assert answer.is_wrong_use(), one
+        assert answer.is_wrong_use("such as 600:1000:9" * (one == "600:1000")), one
         assert len(answer.err) < 500
     if option != "--at":
         words = [word for key, one in right.items() if key != option for word in (key, one)]

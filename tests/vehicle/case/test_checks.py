@@ -69,14 +69,20 @@ def test_nor_among_those_of_what_is_geared_to_the_output(link: int, speed: float
 
 
 def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
-    """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm."""
+    """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm.
+
+    Engines in Formula 1 are limited to 15,000 rpm; diesel engines of lorries turn at 1800 rpm.
+    """
     text = "links: 2\nmechanisms: {pair: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}\n"
     for vehicle, told in {
         "radius: 300": ["read 300 m, more than a wheel can have"],
         "radius: 300 mm": [],
         "radius: 1.8": [],
-        "radius: 0.3, engine: [[6000, 120]]": ["read 6000 rad/s, more than an engine can have"],
-        "radius: 0.3, engine: [[20000 rpm, 120]]": [],
+        "radius: 0.3, engine: [[900, 900], [1800, 800]]": [
+            "read 1800 rad/s, more than an engine can have"
+        ],
+        "radius: 0.3, engine: [[15000 rpm, 120]]": [],
+        "radius: 0.3, machine: {torque: [[20000 rpm, 120]]}": [],
         # in daN/t: github.com/OpenRailAssociation/osrd/pull/17054
         "radius: 0.3, rolling: 12": ["read 12, more than a tyre can have"],
         "radius: 0.3, rolling: 1.2%": [],

@@ -253,14 +253,15 @@ def test_as_many_gears_both_ways_are_told_apart_by_their_names(
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
-    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
+    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0, 0))]
     text = trace(*rows)._replace(gears=[])
     shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
     first, ahead = CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=1.5)
     case = CASE.replace(mechanisms=[first, ahead])
     least = 5 * 1.5 * 4.1 / 0.3  # of the engine in the second gear at 5 m/s
     for choice in (GearChoice(shifts=shifts), GearChoice(least)):
-        assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1"]
+        assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1", "1"]
+    assert drive(case, text, GearChoice(least_loss=True)).gears[-1] == "1"  # at rest
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
     named = trace((0, 4, "1"), (2, 8, "1"))
@@ -364,6 +365,7 @@ def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(files: Path) 
     assert (ran.status, ran.json["cycle"]["messages"]) == (0, [])
     ran = vstatics(*asked[:-1], "1000")
     assert ran.is_wrong_use("read '1000', expected a speed with its unit")
+    assert vstatics(*asked[:-2], "--shift", "1-2: 9/6").is_wrong_use("each speed with its unit")
 
 
 def test_fuel_is_bilinear() -> None:
@@ -399,18 +401,20 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         # rows within a second: github.com/uholeschak/ediabaslib/issues/15
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0 s after 0 s, e"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("t.csv", "time [s],speed [km/h]\n0,1\n1,-9\n", ":3:1: error: speed: read -9 km/h, exp"),
         ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", ":1:1: error: the trace has no column `gear`"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", "`gear`, `selected gear`, `gear number` or"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:26: error: fuel: read the unit 'kg'"),
-        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1, expected 0 or more"),
+        ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", ":2:1: error: fuel: read -1 g/h, expected 0 or"),
         ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
     ):
         right = (files / file).read_text()
         (files / file).write_text(text)
         assert vstatics("cycle", "car.yaml", "t.csv").gives_nothing(said)
+        assert vstatics("check", "car.yaml").fails(said) == (file == "fuel.csv")
         (files / file).write_text(right)
     for command in ("cycle", "damage"):
         ran = vstatics(command, "t.csv", "car.yaml")

@@ -225,7 +225,7 @@ def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
     row = f"1,{gear},120,90\n"
     (folder / "duty.csv").write_text(f"time [s],gear,speed [rad/s],torque [N*m]\n{row}")
     (folder / "trace.csv").write_text(f"time [s],speed [m/s],gear\n0,15,{gear}\n1,15,{gear}\n")
-    said = "note: outside the points of a, the value of the nearest end point applies"
+    said = "note: outside the points of a (0 to 954.93 rpm), the value of the nearest end point ap"
     for given in ("summary case.yaml --duty duty.csv", "cycle case.yaml trace.csv"):
         assert vstatics(*given.split()).err.count(said) == is_outside
         assert said not in vstatics(*given.split(), "--allow", "N414").err

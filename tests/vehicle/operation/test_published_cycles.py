@@ -248,15 +248,15 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         # github.com/okfn/messytables/pull/113
         ("time [s]|speed [m/s]\n0|0\n1|5\n", "separate the cells by commas, semicolons or tabs"),
         (f"{MPH},slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
-        (f"{MPS}\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
+        (f"{MPS}\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300 m/s, expected at most 1e"),
         (f"{MPS}\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
         (f"{MPS}\n00:10,0\n00:20,1\n", ":2:1: .*finite number or a time such as `01:30:00`"),
         (f"{MPS}\n{'9' * 309}:00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         (f"{MPS}\n2024-02-30 00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         # a clock that passes midnight: github.com/leo-holanda/logcharts.io/issues/7
         (f"{MPS}\n23:59:50,0\n00:00:02,1\n", ":3:1: .*read 2 s after 86390 s.*; if .*midnight"),
-        (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
-        (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),
+        (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1 m/s, expected a change by"),
+        (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1 m/s, expected 0 or more"),
     ):
         with pytest.raises(ReadError, match=said):
             read_trace(text.encode(), "t.csv")

@@ -11,6 +11,7 @@ from typing import Annotated, NamedTuple, TypeAlias
 import click
 
 from vstatics.core import readers
+from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
@@ -26,6 +27,7 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import FILE, separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, count_of, quoted, spoken
+from vstatics.core.extras import higher
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_constraints, undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
@@ -248,6 +250,11 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
             undriven = [*map(outcome.locate, undriven_gears(outcome.results))]
             problems, failed = [*undriven, *problems], failed or bool(undriven)
             grid = constraints(outcome.file, outcome.results)
+            if module_of_method("read_fuel"):
+                try:
+                    higher("read_fuel")(outcome.results.case, outcome.file)
+                except ReadError as error:
+                    problems, failed = [*problems, *error.problems], True
         yield outcome.file, problems, failed, grid
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from vstatics.core.errors import Path, Problem, count_of, percent, quoted, spoken
 from vstatics.core.model.fields import TransmissionFields
-from vstatics.core.model.parts import Gear, Law, Load, Size
+from vstatics.core.model.parts import RAD_PER_RPM, Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.numerics.tolerances import TIE
@@ -68,6 +68,11 @@ class PointLaw(Law):
         """Return flags that mark speeds or torques outside the points."""
         (size,) = sizes
         return _is_outside(size, self.points[0][0], self.points[-1][0])
+
+    def domain(self) -> str:
+        """Return the range of the points as text for messages."""
+        sizes = [x for x, _ in self.points]
+        return speed_range(sizes) if self.over == "speed" else torque_range(sizes)
 
     @cached_property
     def table(self) -> LookupTable:
@@ -140,6 +145,10 @@ class MapLaw(Law):
             torque, self.columns[0], self.columns[-1]
         )
 
+    def domain(self) -> str:
+        """Return the range of the map as text for messages."""
+        return f"{speed_range([row[0] for row in self.rows])}, {torque_range(self.columns)}"
+
     @property
     def ends(self) -> tuple[float, float]:
         """Smallest and largest value of the law."""
@@ -153,6 +162,20 @@ class MapLaw(Law):
     def __repr__(self) -> str:
         """Return the full definition, so that cases with different maps have different texts."""
         return f"MapLaw({self.columns!r}, {self.rows!r}, {self.unit!r})"
+
+
+def speed_range(speeds: Sequence[float]) -> str:
+    """Return the range of ascending speeds [rad/s] as text.
+
+    >>> speed_range([0, 50 * math.pi])
+    '0 to 1500 rpm'
+    """
+    return f"{speeds[0] / RAD_PER_RPM:.6g} to {speeds[-1] / RAD_PER_RPM:.6g} rpm"
+
+
+def torque_range(torques: Sequence[float]) -> str:
+    """Return the range of ascending torques [N*m] as text."""
+    return f"{torques[0]:.6g} to {torques[-1]:.6g} N*m"
 
 
 def _is_outside(size: Floats, first: float, last: float) -> Booleans:
@@ -180,12 +203,9 @@ def of_law(  # noqa: PLR0913
 
 
 def _in_file(problem: Problem, law: Law, path: Path) -> Problem:
-    """Return a problem at a law, with the name of its file and the line of the point, if any."""
-    line = ""
-    if law.lines and len(problem.path) > len(path):
-        line = f", line {law.lines[int(problem.path[len(path)]) - 1]}"
+    """Return a problem at a law, with the name of its file."""
     file = quoted(os.path.basename(law.file))  # noqa: PTH119 (pathlib costs start-up time)
-    return problem._replace(path=path, message=f"read {file}{line}: {problem.message}")
+    return problem._replace(path=path, message=f"read {file}: {problem.message}")
 
 
 def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:

@@ -552,8 +552,6 @@ class Law(float):
     """Text of a law given by a formula; empty for other laws."""
     file: str = ""
     """Name of the file with the points. Laws that differ only in the file name are equal."""
-    lines: tuple[str, ...] = ()
-    """Line number and numbers of each point in the file; empty for maps and without a file."""
 
     def at(self, *sizes: Size) -> Size:
         """Return the value at the arguments from `sizes_of`, which are numbers or arrays."""
@@ -561,6 +559,10 @@ class Law(float):
 
     def is_outside(self, *sizes: Floats) -> Booleans:
         """Return whether the arguments from `sizes_of` are outside the points of the law."""
+        raise NotImplementedError
+
+    def domain(self) -> str:
+        """Return the range of the points as text for messages."""
         raise NotImplementedError
 
     def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:

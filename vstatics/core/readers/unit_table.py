@@ -52,6 +52,11 @@ class UnitTable(NamedTuple):
         """Return the place of a row; rows are counted from 0."""
         return self.source.place(self.lines[row])
 
+    def read_number(self, name: str, row: int) -> str:
+        """Return a number of a row as text, in the unit of its heading."""
+        heading = next(heading for heading in self.head.headings if heading.column.name == name)
+        return f"{self.numbers[name][row] / heading.size:g} {heading.unit or ''}".rstrip()
+
     @property
     def head_place(self) -> Place:
         """Place of the line of headings."""

@@ -42,6 +42,8 @@ def speeds_of(text: str) -> Floats:
     from vstatics.core.numerics.steps import Steps
 
     parts = text.split(":")
+    if len(parts) == 2:
+        raise ValueError(f"read {text!r}, expected the number of values, too, such as {text}:9")
     if len(parts) != 3:
         return np.array(numbers("a speed of 0 or more, or A:B:N")(text))
     first, last = numbers("a speed of 0 or more")(",".join(parts[:2]))

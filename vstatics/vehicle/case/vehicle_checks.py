@@ -147,8 +147,8 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
 
 LARGEST_TYRE = 2.5
 """Largest plausible wheel radius; wheels of dump trucks are smaller. [m]"""
-FASTEST_ENGINE = 3000.0
-"""Largest plausible speed of an engine or electric machine, 28,600 rpm. [rad/s]"""
+FASTEST_ENGINE, FASTEST_MACHINE = 1600.0, 3000.0
+"""Largest plausible speeds of an engine and an electric machine, 15,300 and 28,600 rpm. [rad/s]"""
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
@@ -164,7 +164,7 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
         )
         yield Problem("N205", message, ("vehicle", "rolling"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
-    if fastest > FASTEST_ENGINE:
+    if fastest > (FASTEST_MACHINE if vehicle.machine else FASTEST_ENGINE):
         place = ("machine", "torque") if vehicle.machine else ("engine",)
         what = "a machine" if vehicle.machine else "an engine"
         yield no_unit(fastest, "rad/s", what, ("vehicle", *place))

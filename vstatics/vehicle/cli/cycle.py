@@ -29,7 +29,9 @@ from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.case.vehicle import Vehicle
 
 if TYPE_CHECKING:
+    from vstatics.core.model.transmission import Transmission
     from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
+    from vstatics.vehicle.operation.fuel_map import FuelMap
     from vstatics.vehicle.operation.gear_choice import GearChoice
     from vstatics.vehicle.operation.shifting import ShiftSpeed
     from vstatics.vehicle.operation.trace import Trace
@@ -99,7 +101,7 @@ def _choice(
         "--strategy",
         type=click.Choice(["least-loss"]),
         help="Engage in each time step the gear in which engine or battery supplies the least "
-        "energy, or recovers the most, within full load.",
+        "energy, or absorbs the most when braking, within full load.",
     ),
 )
 @under(
@@ -233,18 +235,30 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
         yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
 
 
+def read_fuel(case: Transmission, file: str) -> FuelMap | None:
+    """Return the fuel map that a case in a file names; None without a fuel map.
+
+    Raises
+    ------
+    ReadError
+        If the fuel map cannot be read, or has errors.
+    """
+    vehicle = Vehicle.of(case)
+    if vehicle is None or not vehicle.fuel:
+        return None
+    from vstatics.vehicle.operation.fuel_map import read_fuel_map
+
+    path = os.path.join(os.path.dirname(file), vehicle.fuel)  # noqa: PTH118, PTH120
+    return read_fuel_map(*files.read_input(path, regular=True))
+
+
 def _driven(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
 ) -> DriveCycle:
     from vstatics.vehicle.operation.drive_cycle import drive
-    from vstatics.vehicle.operation.fuel_map import read_fuel_map
 
-    fuel = None
     try:
-        if name := Vehicle.needed(results.case).fuel:
-            path = os.path.join(os.path.dirname(outcome.file), name)  # noqa: PTH118, PTH120
-            fuel = read_fuel_map(*files.read_input(path, regular=True))
-        return drive(results.case, trace, choice, fuel)
+        return drive(results.case, trace, choice, read_fuel(results.case, outcome.file))
     except CaseError as error:
         problems = [_placed(problem, trace, outcome.file) for problem in error.problems]
         raise outcome.located(CaseError(problems)) from None

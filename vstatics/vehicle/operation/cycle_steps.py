@@ -548,7 +548,7 @@ class CycleSteps(NamedTuple):
             if gear.loss is not None and own.any():
                 sizes = speeds[own], np.abs(entering[own])
                 if gear.loss.is_outside(*sizes).any():
-                    lost.outside[f"the loss of gear {gear.name}"] = None
+                    lost.outside[f"the loss of gear {gear.name} ({gear.loss.domain()})"] = None
                 brake = brake_torque(gear.loss, *sizes)
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])
                 lost.energies[loss_name(gear)] += energy

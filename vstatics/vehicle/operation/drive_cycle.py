@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, listed, not_allowed
+from vstatics.core.model.laws import speed_range, torque_range
 from vstatics.core.model.parts import Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
@@ -154,7 +155,8 @@ def drive(
         rates = fuel.at(turning, engine)
         taken = float(rates @ trace.duration)
         course["fuel [g/h]"] = 3600 * rates
-        outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
+        of_map = f"{speed_range(fuel.speeds.tolist())}, {torque_range(fuel.torques.tolist())}"
+        outside += [f"vehicle.fuel ({of_map})"] * bool(fuel.is_beyond(turning, engine).any())
     distance = float(trace.speed @ trace.duration)
     battery: BatteryEnergy | None = None
     if vehicle.machine is not None:
@@ -163,7 +165,8 @@ def drive(
         energy = supply.energies(energy, trace.duration)
         given = supply.battery * trace.duration
         battery = BatteryEnergy(float(given[given > 0].sum()), float(-given[given < 0].sum()) + 0.0)
-        outside += ["vehicle.machine.efficiency"] * supply.is_outside
+        if supply.is_outside and isinstance(law := vehicle.machine.efficiency, Law):
+            outside.append(f"vehicle.machine.efficiency ({law.domain()})")
     gears = [case.gears[index].name for index in steps.gears]
     duration = float(trace.duration.sum())
     notes = (Message(note.id, note.message) for note in trace.notes)

@@ -97,8 +97,7 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
             message += f"; there is no row for {pair}"
         raise ReadError("E123", message, place=table.head_place)
     if (fuel < 0).any():
-        rates = table.numbers["fuel"]
-        wrong = next(index for index, rate in enumerate(rates) if rate < 0)
-        message = f"fuel: read {rates[wrong] / at['fuel'].size:g}, expected 0 or more"
+        wrong = next(index for index, rate in enumerate(table.numbers["fuel"]) if rate < 0)
+        message = f"fuel: read {table.read_number('fuel', wrong)}, expected 0 or more"
         raise ReadError("E123", message, place=table.place(wrong))
     return FuelMap(speeds, torques, fuel)

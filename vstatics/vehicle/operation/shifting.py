@@ -55,7 +55,8 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
         up, down = _two_speeds(speeds)
         if not (colon and dash and low and high) or up is None or down is None:
             example = "1-2: 15 km/h/12 km/h, 2-3: 30 km/h/25 km/h"
-            raise ValueError(f"read {item.strip()!r}, expected a text such as {example!r}")
+            expected = f"a text such as {example!r}, each speed with its unit"
+            raise ValueError(f"read {item.strip()!r}, expected {expected}")
         if down > up:
             raise ValueError(f"read {item.strip()!r}, expected a downshift below the upshift")
         if shifts and shifts[-1].high != low:
@@ -181,8 +182,8 @@ def by_shift_speeds(
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
     """Return the highest gear, for each step, in which the engine reaches a least speed.
 
-    If no gear reaches it, the lowest gear within the last engine speed is chosen. If all gears
-    exceed the last engine speed, the highest gear is chosen.
+    If no gear reaches it, and at standstill, the lowest gear within the last engine speed is
+    chosen. If all gears exceed the last engine speed, the highest gear is chosen.
 
     Parameters
     ----------
@@ -210,5 +211,5 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
         chosen[engine.may_turn(engine.of(gear))] = gear
     for gear in reversed(ascending):
         speeds = engine.of(gear)
-        chosen[engine.may_turn(speeds) & (speeds >= least)] = gear
+        chosen[engine.may_turn(speeds) & (speeds >= least) & (engine.output > 0)] = gear
     return chosen

@@ -239,7 +239,8 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         for row in np.flatnonzero(are_wrong).tolist()[:MOST_SHOWN_FAULTS]
     ]
     for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN_FAULTS]:
-        read, hint = f"{table.numbers[name][row]:g}", ""
+        hint = ""
+        read = table.read_number(name, row) if name == "speed" else f"{table.numbers[name][row]:g}"
         if expected == _LATER:
             read = f"{times[row]:.10g} s after {times[row - 1]:.10g} s"
             if times[row] < times[row - 1] - _HALF_DAY:

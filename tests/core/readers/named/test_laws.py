@@ -35,7 +35,7 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
         "Rig 5\nSpeed,Oil,Torque\n# warm\nrpm,C,N*m\n0,90,1\n300,90,4\n",
         "torque [N*m],speed [rpm],note\n1,0,\n# by hand\n4,300,warm\n",
         "speed [rpm];torque [N*m]\n0;1,0\n300;4,0\n",
-        "speed [rpm],drag torque [N*m],T [°C]\n0,1,90\n300,4,90\n",
+        "speed [rpm],drag torque [N*m],T [°C]\n0,1,90\n300 rpm,4 N*m,90\n",
         "n [rpm],T [Nm]\n0,1\n300,4\n",
         "RPM,Nm\n0,1\n300,4\n",
         "Slip (rpm),Drag torque (Nm)\n0,1\n300,4\n",
@@ -65,7 +65,9 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
         ("kNm,rpm\n0,1\n", "read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`"),
         ("speed,torque,eta\nrpm,N*m,%\n0,5,90\n", "line 1: read the heading 'eta' of a map"),
-        ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6 (9 rpm, -1 N*m): read -1, exp"),
+        ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6: read -1 N*m, expected a t"),
+        ("rpm,Nm\n900,1\n800,2\n", "line 3: read 800 rpm, expected a speed above 900 rpm: points"),
+        ("rpm,Nm,fuel [g/h]\n9,1,2\n9,2,3\n", "line 1: read the heading 'fuel' of a map"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )
@@ -73,10 +75,14 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
     (tmp_path / "drag.csv").write_text(text, "utf-8")
     with rejects(ReadError, "case.yaml:3:", " error: drag.b: ", said):
         load(case_of(tmp_path, "{file: drag.csv}"))
-    for row, told in {"0,5,9650": "9650 %, expected an efficiency", "-9,5,96": "-9 rpm"}.items():
+    for row, told in (
+        ("0,5,9650", "line 3: read 9650 %, expected an efficiency"),
+        ("-9,5,96", "line 3: read -9 rpm"),
+        ("0,5,0.96", "expected percentages such as 95: all values are 1 or below"),
+    ):
         text = f"speed,torque,efficiency\nrpm,N*m,%\n{row}\n"
         (tmp_path / "map.csv").write_text(text, "utf-8")
-        with rejects(ReadError, f"`map.csv`, line 3: read {told}"):
+        with rejects(ReadError, f"`map.csv`, {told}"):
             load(case_of(tmp_path, efficiency="{over: [speed, torque], file: map.csv}"))
     with pytest.raises(ReadError, match=r"read `none.csv`, which cannot be read: No such file"):
         load(case_of(tmp_path, "{file: none.csv}"))

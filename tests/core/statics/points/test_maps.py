@@ -197,7 +197,7 @@ LOSS = "{over: [speed, torque], columns: [0, 200 N*m], rows: [[0, 20, 60], [6000
 
 
 def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: Path) -> None:
-    efficiency = "motor torque [N*m];n [rpm];eta [%]\n0;0;90\n50;0;95\n50;3000;97\n0;3000;92\n"
+    efficiency = "motor torque [N*m];n [rpm];eta [%]\n0;0;90\n50;0;95\n50;3000;97,0 %\n0;3000;92\n"
     (tmp_path / "map.csv").write_text(efficiency, "utf-8")
     loss = "speed [rad/s],torque [N*m],power loss [kW]\n0,0,0.1\n0,9,0.2\n100,9,0.4\n100,0,0.3\n"
     (tmp_path / "loss.csv").write_text(loss, "utf-8")

@@ -14,7 +14,7 @@ from itertools import chain
 
 from vstatics.core.readers.named.arithmetic import slip
 
-_CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
+_CALCULATION = re.compile(r"[-+*/() .,%0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _OF_TWO_SIGNS = re.compile(r"\.\d{3},\d|,\d{3}\.\d")

@@ -37,7 +37,7 @@ _LOSS_NAMES = ("power loss", "torque loss", "loss torque", "losses", "p loss")
 _DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
 _SLIP_NAMES = ("slip", "slip speed")
 """Headings of the slip speed of a shift element."""
-_MAP_NAMES = ("efficiency", "eta", "loss")
+_MAP_NAMES = ("efficiency", "eta", "loss", "fuel", "fuel consumption", "fuel rate", "fuel flow")
 """Headings of maps. The torques in a file with such a heading are not drag torques."""
 _COLUMNS = {
     "": (
@@ -72,9 +72,17 @@ def points_of(name: str) -> PointLaw:
         The message states the expected content.
     """
     heads, rows = _table(lines_of(Path(name), MOST_POINT_FILE_BYTES), "")
-    law = PointLaw([numbers for _, numbers in rows])
-    law.lines = tuple(f"{line} ({_point(heads, *numbers)})" for line, numbers in rows)
-    return law
+    before = -math.inf
+    for line, (speed, torque) in rows:
+        _expect_magnitude(heads, speed, line)
+        if speed <= before:
+            above = f"a speed above {_point(heads, before)}: points must ascend"
+            raise ValueError(f"line {line}: read {_point(heads, speed)}, expected {above}")
+        if torque < 0:
+            read = _point(heads[1:], torque)
+            raise ValueError(f"line {line}: read {read}, expected a torque of 0 or more")
+        before = speed
+    return PointLaw([numbers for _, numbers in rows])
 
 
 def map_of(name: str, values: Values) -> MapLaw:
@@ -106,14 +114,15 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(heads, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
-        if speed < 0:
-            read = _point(heads, speed)
-            raise ValueError(f"line {line}: read {read}, expected 0 or more: magnitudes count")
+        _expect_magnitude(heads, speed, line)
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             hint = "; omit all rows with speed 0 or torque 0" if value == 0 else ""
             read = f"{value * 100:g} %" if heads[-1].unit == "%" else f"{value:g}"
             raise ValueError(f"line {line}: read {read}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
+    if heads[-1].unit == "%" and all(value <= 0.01 for _, value in points.values()):
+        hint = "all values are 1 or below; fractions need the heading `efficiency`"
+        raise ValueError(f"expected percentages such as 95: {hint}")
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
         if (speed, torque) not in points:
@@ -122,6 +131,12 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
     grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
     unit = _POWERS.get(heads[-1].unit or "", "N*m") if values == "loss" else ""
     return MapLaw(torques, grid, unit)
+
+
+def _expect_magnitude(heads: Sequence[Heading], speed: float, line: int) -> None:
+    if speed < 0:
+        read = _point(heads, speed)
+        raise ValueError(f"line {line}: read {read}, expected 0 or more: magnitudes count")
 
 
 def _point(heads: Sequence[Heading], *values: float) -> str:
@@ -171,11 +186,12 @@ def _numbers(heads: Sequence[Heading], row: Sequence[str], line: int) -> Iterato
     for column, place, unit in heads:
         if place >= len(row):
             raise ValueError(f"line {line}: expected {len(heads)} numbers")
+        cell = row[place].strip().removesuffix(unit or "")  # cells can repeat the unit
         try:
             if column.measure:
-                yield measured(f"{row[place]} {unit}", column.measure)
+                yield measured(f"{cell} {unit}", column.measure)
             else:
-                yield scalars.number(row[place] + "%" * (unit == "%"))
+                yield scalars.number(cell + "%" * (unit == "%"))
         except ValueError as error:
             message = f"line {line}: {column.name}: read {row[place]!r}, {error}"
             raise ValueError(message) from None

@@ -194,7 +194,7 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
             speed, torque = balance.machine(results, link, power)
             wrong = outside_map(law, speed, torque, power)
             if wrong.any():
-                outside[case.link_name(link)][:, balance.gear] |= wrong
+                outside[f"{case.link_name(link)} ({law.domain()})"][:, balance.gear] |= wrong
     return outside
 
 

@@ -523,7 +523,7 @@ def _outside(case: Transmission, laws: LawsOf, sizes: _Sizes, shape: tuple[int, 
     for number, law in laws.items():
         wrong = law.is_outside(*sizes[number])
         if wrong.any():
-            outside[_name(case, number)][:, number.gear] |= wrong
+            outside[f"{_name(case, number)} ({law.domain()})"][:, number.gear] |= wrong
     return outside
 
 
