@@ -62,7 +62,7 @@ def test_of_gears_within_one_another_the_one_with_more_elements_holds() -> None:
 
 def test_a_lock_up_clutch_that_slips_leaves_the_gear_in_brackets() -> None:
     motion = shifting(L=[0, 0, 0, 0, 0])
-    gears = {name: GearElements(stick | {"L"}) for name, (stick, _) in GEARS.items()}
+    gears = {name: GearElements(stick | {"L"}) for name, (stick, *_) in GEARS.items()}
     assert common(gears, motion) == ["L"]
     assert gear_pieces(gears, motion, ROWS) == []
     found = phases(gears, motion, [], ROWS)
@@ -93,12 +93,15 @@ def test_a_gear_needs_the_freewheel_that_drives_it(load: str) -> None:
       B: [sun, ring]
     mechanisms: {{set: {{first: sun, second: ring, third: out, ratio: -2}}}}
     converters: {{TC: {{links: [engine, turbine], points: [[0, 2, 4e-3], [1, 1, 0]]}}}}
-    gears: {{"1": [A], "2": [A, B]}}
+    gears: {{"1": [A], "2": [A, B], N: []}}
     """)
     sets = element_sets(solve(case))
     assert {name: {*elements.sticking} for name, elements in sets.items()} == {
-        "1": {"A", "F"}, "2": {"A", "B"},
+        "1": {"A", "F"}, "2": {"A", "B"}, "N": set(),
     }  # fmt: skip
+    motion = shifting(A=[0, 0, 1, 1], B=[0, 0, 0, 1], F=[1, 1, 1, 0])
+    pieces = gear_pieces(sets, motion, [ElementStates("A", 0, ((1.0, 2.0),), ())])
+    assert [piece[:3] for piece in pieces] == [("N", 0.0, 1.0), ("1", 2.0, 3.0), ("2", 3.0, 4.0)]
 
 
 def test_a_gear_of_a_rounding_error_is_not_named() -> None:

@@ -20,10 +20,12 @@ from vstatics import (
     Mechanism,
     Results,
     ShiftElement,
+    Spring,
     Transmission,
     load_scenario,
     solve,
 )
+from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import SpeedOf
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.labels import width
@@ -105,6 +107,15 @@ def test_links_of_one_speed_share_a_line(results: Results) -> None:
     speeds = run().speeds[:, [0, 0, 2]]
     speed, *_ = panels(results.case, run()._replace(speeds=speeds))
     assert [line.names for line in speed.lines] == [("sun", "ring"), ("carrier",)]
+
+
+def test_the_turbine_of_a_converter_is_shown_before_faster_links() -> None:
+    converter = Converter("TC", 1, 3, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
+    springs = [Spring({1: 1, link: 1}, 1.0) for link in (2, 3, 4)]
+    case = Transmission(4, [], [], [], converters=[converter], springs=springs)
+    speeds = np.outer(run().time, [3.0, 9.0, 2.0, 1.0])
+    speed, *_ = panels(case, run()._replace(links=tuple("1234"), speeds=speeds))
+    assert [line.names for line in speed.lines] == [("1",), ("4",), ("3",), ("2",)]
 
 
 def test_torques_far_apart_have_panels_of_their_own(results: Results) -> None:

@@ -113,6 +113,11 @@ def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
     assert f"{max(told['sum']['torques']['damper']['rms']):.9g}" in numbers
 
 
+def test_a_torque_that_is_zero_in_neutral_is_largest_at_no_speed() -> None:
+    text = said("response", "--gear", "N", *AT, "--orders", "2", *SPEED).out
+    assert " P 0.0000 - " in " ".join(text.split())
+
+
 def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
     call, damped = OF_MASS, MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
     told = said(*call, "100:400:4", text=MASS).err

@@ -68,15 +68,14 @@ def test_there_is_a_dot_for_each_resonance_of_the_modes(name: str, tmp_path: Pat
     assert len(expected) > 10
     assert found.keys() == expected.keys()
     [corner] = {line[0] for line in lines.values()}
-    [right] = {line[-1][0] for line in lines.values()}
-    top, highest = min(line[-1][1] for line in lines.values()), max(lines)
+    right = lines[min(lines)][-1][0]
+    rises = {order: (corner[1] - y) / (x - corner[0]) for order, (_, (x, y)) in lines.items()}
     for (_, _, order), one in found.items():
-        across = (one.at[0] - corner[0]) / (right - corner[0])
-        up = (corner[1] - one.at[1]) / (corner[1] - top)
-        assert across == pytest.approx(float(one.data["rpm"]) / FASTEST[name], abs=1e-4)
-        assert up == pytest.approx(across * order / highest, abs=1e-4)
-        end = (corner[1] - lines[order][-1][1]) / (corner[1] - top)
-        assert end == pytest.approx(order / highest, abs=1e-4)
+        across = one.at[0] - corner[0]
+        part = float(one.data["rpm"]) / FASTEST[name]
+        assert across == pytest.approx(part * (right - corner[0]), abs=0.02)
+        assert corner[1] - one.at[1] == pytest.approx(across * rises[order], abs=0.05)
+        assert rises[order] == pytest.approx(order * rises[1.0], rel=1e-3)
     for key, one in found.items():
         told = float(one.data["rpm"]), float(one.data["participation"])
         assert told == pytest.approx(expected[key], rel=1e-9)
@@ -92,6 +91,16 @@ def test_half_the_cylinders_fire_in_a_revolution_and_multiples(cylinders: int) -
         for order, fires in found.items():
             assert fires == (round(2 * order) % cylinders == 0)
     assert [float(one.data["order"]) for one in own] == list(asked.excited.orders)
+
+
+def test_a_mode_far_below_the_orders_is_at_two_thirds_of_the_height() -> None:
+    svg = drawn(of_frequency(30.0, cylinders=4), "campbell")
+    for order in marks(svg, "order")[1:]:
+        (_, low), (_, high) = order.points
+        [dot] = [
+            one for key, one in resonances(svg).items() if f"{key[2]:g}" == order.data["order"]
+        ]
+        assert (low - dot.at[1]) / (low - high) == pytest.approx(2 / 3, abs=1e-4)
 
 
 def test_firing_orders_have_a_colour_and_width_of_their_own() -> None:
@@ -179,7 +188,7 @@ def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() 
     assert found == pytest.approx([700.0, 3000 / math.pi, 12000 / math.pi, 4200.0])
     svg = drawn(solve(case), "campbell")
     [band] = marks(svg, "range")
-    [order] = [one for one in marks(svg, "order") if one.data["order"] == "1"]
+    [order] = [one for one in marks(svg, "order") if one.data["order"] == "0.5"]
     (left, _), (right, _) = order.points
     fastest = 4500.0  # 5 % above, rounded up
     ends = [left + (right - left) * speed / fastest for speed in (700.0, 4200.0)]

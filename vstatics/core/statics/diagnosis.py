@@ -288,7 +288,9 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
         return  # reported as an error already
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
-        yield from _excess(results, number, gear)
+        opened = _opened(case, gear, _speed_ratios(results, number, gear))
+        conflicts = _conflict_messages(case, opened) if gear.slip else ()
+        yield from list(conflicts) or _excess(results, number, gear)
     if missing and (unloaded := results.gear_at(number).unloaded):
         what = "turns freely and carries" if len(unloaded) == 1 else "turn freely and carry"
         yield Said("N420", f"link{_s(len(unloaded))} {spoken(unloaded)} {what} no torque")
@@ -486,12 +488,17 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 def _without_converters(case: Transmission, gear: Gear, ratios: Mapping[str, float]) -> Gear:
     """Return a gear, without free converters if its other constraints contradict each other."""
+    opened = _opened(case, gear, ratios)
+    rows = matrix.speed_rows(case, opened, _rows(case, opened))
+    return gear if all(agrees for _, agrees in elimination.dependencies(rows)) else opened
+
+
+def _opened(case: Transmission, gear: Gear, ratios: Mapping[str, float]) -> Gear:
+    """Return a gear with open converters where the load determines the speed ratio."""
     first = case.own_mechanisms.start - 1
     names = [mechanism.name for mechanism in case.mechanisms]
     free = [names.index(name) - first for name, ratio in ratios.items() if math.isnan(ratio)]
-    opened = gear._replace(open=(*gear.open, *free))
-    rows = matrix.speed_rows(case, opened, _rows(case, opened))
-    return gear if all(agrees for _, agrees in elimination.dependencies(rows)) else opened
+    return gear._replace(open=(*gear.open, *free))
 
 
 def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:

@@ -35,6 +35,8 @@ class GearElements(NamedTuple):
     """Engaged shift elements, and freewheels that hold when the gear drives."""
     slipping: frozenset[str] = frozenset()
     """Shift elements that slip under torque."""
+    released: frozenset[str] = frozenset()
+    """Shift elements that must be released, if the gear engages nothing."""
 
     def is_part_of(self, other: GearElements) -> bool:
         """Return whether the other gear has these shift elements and more."""
@@ -74,6 +76,8 @@ def element_sets(results: Results) -> GearSets:
     """Return the shift elements of each gear, including locked freewheels."""
     case = results.case
     names = [element.name for element in case.shift_elements]
+    gripping = [element.name for element in case.shift_elements if not element.is_freewheel]
+    released = frozenset(gripping if len(case.gears) > 1 else ())
     holds = solve(_driving(case)).holds if case.freewheels else results.holds
     sets = {}
     for gear, held in zip(case.gears, holds.tolist(), strict=True):
@@ -82,8 +86,10 @@ def element_sets(results: Results) -> GearSets:
             frozenset(names[number - 1] for number in numbers)
             for numbers in ((*gear.joining, *locked), gear.slipping)
         )
-        if sticking or slipping:
-            sets[gear.name] = GearElements(sticking, slipping)
+        is_neutral = not (sticking or slipping)
+        elements = GearElements(sticking, slipping, released if is_neutral else frozenset())
+        if any(elements):
+            sets[gear.name] = elements
     return sets
 
 
@@ -119,8 +125,8 @@ def common(sets: GearSets, motion: Motion) -> list[str]:
     A lock-up clutch is an example.
     """
     sticks = motion.beside.get("sticks", {})
-    sticking = [elements.sticking for elements in sets.values()]
-    every = frozenset.intersection(*sticking) if len(sets) > 1 else frozenset()
+    sticking = [elements.sticking for elements in sets.values() if not elements.released]
+    every = frozenset.intersection(*sticking) if len(sticking) > 1 else frozenset()
     return [name for name in motion.elements if name in every and not np.all(sticks.get(name, 1))]
 
 
@@ -145,6 +151,7 @@ def gear_pieces(sets: GearSets, motion: Motion, rows: Sequence[ElementStates]) -
         gear: np.logical_and.reduce(
             [sticks[name][1:] > 0 for name in elements.sticking]
             + [slips.get(name, never) for name in elements.slipping]
+            + [(sticks[name][1:] == 0) & ~slips.get(name, never) for name in elements.released]
         )
         for gear, elements in sets.items()
     }
@@ -159,7 +166,7 @@ def gear_pieces(sets: GearSets, motion: Motion, rows: Sequence[ElementStates]) -
     pieces, shortest = [], SHORTEST_GEAR * float(np.ptp(motion.time))
     for state in np.unique(engaged, axis=1).T:
         names = [name for name, is_engaged in zip(sets, state, strict=True) if is_engaged]
-        elements = frozenset().union(*(part for name in names for part in sets[name]))
+        elements = frozenset().union(*(part for name in names for part in sets[name][:2]))
         during = spans(motion.time, (state == engaged.T).all(axis=1))
         pieces += [
             GearPiece(", ".join(names), start, end, elements)
@@ -185,7 +192,7 @@ def phases(
         row.name: _inside(middle, row.slips)
         for row in rows
         if row.name not in common_names
-        and any(row.name in names for elements in sets.values() for names in elements)
+        and any(row.name in names for elements in sets.values() for names in elements[:2])
     }
     in_gear, takes_over = np.zeros((2, len(middle)), dtype=bool)
     for piece in pieces:

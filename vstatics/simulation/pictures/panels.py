@@ -71,9 +71,12 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
                 break
         else:
             groups.append([link])
-    # Links are sorted: input, output, links of shift elements with events, then fast before slow.
+    # Links are sorted: input, output, links of converters, links of shift elements with events,
+    # then fast before slow.
     happens = {event.element for event in motion.events}
     wanted = [case.input, case.output]
+    for converter in case.converters:
+        wanted += [converter.pump, converter.turbine]
     for element in case.shift_elements:
         if element.name in happens:
             wanted += element.links
@@ -82,7 +85,7 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
 
     def rank(group: list[int]) -> tuple[float, float]:
         peak = float(np.abs(motion.speeds[:, group[0]]).max())
-        return min(ranks.get(link + 1, len(ranks)) for link in group), -peak
+        return min(ranks.get(link + 1, len(wanted)) for link in group), -peak
 
     groups.sort(key=rank)
     return [

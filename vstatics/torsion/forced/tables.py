@@ -8,7 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from vstatics.core.numerics.arrays import Complex, Floats, first_largest
-from vstatics.core.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
+from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
+from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 
 _TITLES = ("amplitudes of links [rad]", "torques of components [N*m]")
@@ -23,8 +24,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     >>> [grid.title for grid in largest_grids([gear])]
     ['Resonances: none at these speeds']
     """
-    yield _resonances(gears)
-    yield from _faults(gears)
+    yield from _resonances(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
             orders = [f"{response.order:g}" for response in gear.orders]
@@ -39,8 +39,7 @@ def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
 
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
     """Yield tables for each order, with a row for each speed and a column for each name."""
-    yield _resonances(gears)
-    yield from _faults(gears)
+    yield from _resonances(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
             for order, values in zip(gear.orders, by_name, strict=True):
@@ -99,27 +98,30 @@ def _quantities(
 
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
     sizes = np.abs(values)
-    if not np.isfinite(sizes).any():
-        return exact(math.nan), exact(math.nan)
     at = int(first_largest(sizes))
-    return exact(float(sizes[at]), 4), exact(float(speeds[at]), 1)
+    size = float(sizes[at])
+    return exact(size, 4), exact(float(speeds[at]) if size > ROUNDED_NUMBER else math.nan, 1)
 
 
-def _resonances(gears: Sequence[GearResponse]) -> Grid:
-    rows: list[Row] = [
-        [
+def _resonances(gears: Sequence[GearResponse]) -> Iterator[Grid]:
+    """Yield the table of resonances, and notes on gears without a response."""
+    rows = [
+        (
             gear.name,
             Cell(f"{resonance.order:g}", resonance.order, kind=float),  # short, as in 2 or 4.5
-            whole(resonance.mode),
+            resonance.mode,
             exact(resonance.speed, 1),
-            exact(resonance.participation),
-        ]
+            resonance.participation,
+        )
         for gear in gears
         for resonance in gear.resonances
     ]
-    columns = [text("gear"), *map(Column, ("order", "mode", "speed [rpm]", "participation"))]
+    headings = "gear", "order", "mode", "speed [rpm]", "participation"
     title = "Resonances" if rows else "Resonances: none at these speeds"
-    return Grid(title, columns, rows, key="resonances")
+    yield grid_of(title, headings, rows, key="resonances")
+    notes = [(gear.name, gear.error) for gear in gears if gear.error]
+    if notes:
+        yield grid_of("Notes", ["gear", "note"], notes, key="notes")
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
@@ -134,9 +136,3 @@ def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             if rows:
                 grid = grid_of(f"Gear {gear.name}, all orders: {title}", headings, rows)
                 yield grid._replace(group=f"all orders, {title.partition(' of ')[0]}")
-
-
-def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    rows = [(gear.name, gear.error) for gear in gears if gear.error]
-    if rows:
-        yield grid_of("Notes", ["gear", "note"], rows, key="notes")

@@ -163,6 +163,15 @@ gears:
     assert said.endswith("only a slip above 0 is possible")
 
 
+def test_a_reversed_freewheel_is_named_when_the_lock_up_clutch_slips() -> None:
+    """The turbine turns at 0.9 of the input speed, so the freewheel would slip by -0.9."""
+    reversed_ = "{L: [engine, turbine], F: {kind: freewheel, links: [housing, turbine]}}"
+    text = CASE.replace("{L: [engine, turbine]}", reversed_)
+    case = loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))
+    [said] = [said.text for said in solve(case).messages if said.gear == "2"]
+    assert said.startswith("conflict: freewheel F can neither overrun (its slip would be -0.9,")
+
+
 def test_a_given_ratio_that_contradicts_a_slip_has_a_remedy() -> None:
     text = CASE.replace("second: turbine,", "second: turbine, speed_ratio: 0.8,")
     case = loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))

@@ -13,9 +13,9 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.canvas import Canvas, Look
-from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
+from vstatics.pictures.drawing.ends import LineEnd, along, beside, height_of, width_of
 from vstatics.pictures.drawing.head import Meaning, sheet_head
-from vstatics.pictures.drawing.labels import height, ticks, widest, width
+from vstatics.pictures.drawing.labels import Label, height, ticks, widest, width
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -25,7 +25,7 @@ from vstatics.torsion.pictures.orders.campbell_sheet import (
     order_look,
 )
 from vstatics.torsion.pictures.orders.dots import dot_look, dot_signs
-from vstatics.torsion.pictures.orders.gear_strip import GearStrip
+from vstatics.torsion.pictures.orders.gear_strip import GearStrip, thinned
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonance_table import TableParts, resonance_tables
 from vstatics.torsion.pictures.orders.resonances import Meeting
@@ -64,16 +64,14 @@ def _mode_look(style: Style, *, is_common: bool) -> Look:
 
 def _signs(sheet: CampbellSheet) -> list[Meaning]:
     style, several = sheet.style, len(sheet.gears) > 1
-    common = any(len(mode.modes) == len(sheet.gears) for mode in sheet.shared)
-    partial = any(len(mode.modes) < len(sheet.gears) for mode in sheet.shared)
+    common = [len(mode.modes) == len(sheet.gears) for mode in sheet.shared]
     of_all = "natural frequency of all gears" if several else "natural frequency"
-    fires, others = (any(order.fires is so for order in sheet.orders) for so in (True, False))
-    plain, firing = (order_look(Order(1.0, so), style) for so in (False, True))
+    firing = [order.fires for order in sheet.orders]
     return [
-        (common, of_all, _mode_look(style, is_common=True)),
-        (partial, "of some gears", _mode_look(style, is_common=False)),
-        (others, "order n×", plain),
-        (fires, "order that fires", firing),
+        (any(common), of_all, _mode_look(style, is_common=True)),
+        (not all(common), "of some gears", _mode_look(style, is_common=False)),
+        (not all(firing), "order n×", order_look(Order(1.0, fires=False), style)),
+        (any(firing), "order that fires", order_look(Order(1.0, fires=True), style)),
         *running_sign(sheet.running, style),
         *dot_signs(sheet.meetings, style),
     ]
@@ -125,6 +123,9 @@ def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> N
     _draw_scales(panel, sheet)
     _draw_lines(panel, sheet)
     beside(panel, "right", ends)
+    cut = sheet.orders[len(sheet.order_ends) :]
+    tops = [Label(panel.across(order.speed(sheet.top)), order.name, style.ink) for order in cut]
+    along(panel, "top", tops, upright=False)
     for meeting in sorted(sheet.meetings, key=lambda meeting: meeting.mode.participation):
         _draw_meeting(panel, meeting, sheet)
     if not is_lone:
@@ -140,17 +141,6 @@ def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
         part = min(mode.frequency / sheet.top, 1.0)
         ends.append(LineEnd(part, (f"{mode.number}: {sheet.hertz(mode.frequency)}{above}",)))
     return ends
-
-
-def thinned(ends: Sequence[LineEnd], room: float) -> list[LineEnd]:
-    """Choose every n-th name, so that the names fit into a height [pt].
-
-    >>> ends = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
-    >>> [end.names[0] for end in thinned(ends, 60.0)]
-    ['0', '2', '4', '6', '8']
-    """
-    every = max(1, math.ceil(height_of(ends) / max(room, ends[0].high))) if ends else 1
-    return list(ends[::every])
 
 
 def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
@@ -176,13 +166,14 @@ def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
             y, names = pen.up(mode.frequency), json.dumps(mode.gears, ensure_ascii=False)
             group = pen.within("mode", mode=str(mode.number), gears=names)
             hint = style.text("mode {number}", number=mode.number)
-            which = ", ".join(mode.gears)
-            hint = f"{hint}, {gear_title(which, style)}: {sheet.hertz(mode.frequency)}"
+            gears = gear_title(", ".join(mode.gears), style)
+            hint = f"{hint}, {gears}: {sheet.hertz(mode.frequency)}"
             common = len(mode.modes) == len(sheet.gears)
             group.line((0.0, y), (wide, y), title=hint, **_mode_look(style, is_common=common))
     for order in sheet.orders:
         group = pen.within("order", order=f"{order.number:g}", firing=json.dumps(order.fires))
-        end = wide, pen.up(order.frequency(sheet.fastest))
+        last = min(sheet.fastest, order.speed(sheet.top))
+        end = pen.across(last), pen.up(order.frequency(last))
         begin = 0.0, pen.up(order.frequency(sheet.slowest))
         group.line(begin, end, title=order.name, **order_look(order, style))
 

@@ -25,6 +25,8 @@ from vstatics.torsion.system.state import asked_gears
 
 MOST_NAMED = 4
 """Largest number of modes without resonances that a note names."""
+ABOVE_MODES = 1.5
+"""Largest ratio of the upper end of the scale of frequencies to the highest mode below it."""
 
 
 class CampbellSheet(NamedTuple):
@@ -49,8 +51,13 @@ class CampbellSheet(NamedTuple):
 
     @property
     def top(self) -> float:
-        """Highest frequency of the diagram: the highest order at the highest speed [Hz]."""
-        return self.orders[-1].frequency(self.fastest)
+        """Highest frequency of the diagram [Hz].
+
+        It is the highest order at the highest speed, or less if all modes are much lower.
+        """
+        top = self.orders[-1].frequency(self.fastest)
+        met = (mode.frequency for mode in self.modes if mode.frequency <= top)
+        return top if self.slowest else min(top, ABOVE_MODES * max(met, default=top))
 
     @property
     def shared(self) -> list[SharedMode]:
@@ -68,11 +75,11 @@ class CampbellSheet(NamedTuple):
 
     @property
     def order_ends(self) -> list[LineEnd]:
-        """Names of orders, each with a sample of its line."""
-        top = self.orders[-1].number
+        """Names of orders at the right edge, each with a sample of its line."""
         return [
-            LineEnd(order.number / top, (order.name,), (order_look(order, self.style),))
+            LineEnd(part, (order.name,), (order_look(order, self.style),))
             for order in self.orders
+            if (part := order.frequency(self.fastest) / self.top) <= 1
         ]
 
     @property

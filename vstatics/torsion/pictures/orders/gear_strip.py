@@ -77,6 +77,15 @@ class GearStrip(NamedTuple):
             look: Look = {"ha": "center", "va": "top", "rotation": 90 * upright}
             pen.text(label.at, -4.0, label.text, **look)
         pen.text(wide / 2, high + 4, style.text("modes by gear"), ha="center", color=style.soft)
-        ends = self._ends
-        every = math.ceil(height_of(ends) / high)
-        beside(pen, "right", ends[:: max(every, 1)])
+        beside(pen, "right", thinned(self._ends, high))
+
+
+def thinned(ends: list[LineEnd], room: float) -> list[LineEnd]:
+    """Choose every n-th name, so that the names fit into a height [pt].
+
+    >>> ends = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
+    >>> [end.names[0] for end in thinned(ends, 60.0)]
+    ['0', '2', '4', '6', '8']
+    """
+    every = math.ceil(height_of(ends) / max(room, 1.0))
+    return ends[:: max(every, 1)]
