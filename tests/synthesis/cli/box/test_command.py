@@ -175,7 +175,10 @@ def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) 
 
 
 def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Six choices of ports, two of four elements; 1 + p = 3 and one of three ways to lock it."""
+    """Six choices of ports, two of four elements; 1 + p = 3 and one of three ways to lock it.
+
+    A step of 3 is also that from 1 to 1/(1 + p).
+    """
     said = vstatics("synth", "box", *ASKED, "--dry-run")
     assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
     document = json_answer("synth", "box", *ASKED, "--dry-run")
@@ -183,6 +186,8 @@ def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
     assert 0 < document.pop("seconds") < 10
     assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
+    steps = (*ASKED[:6], "--gears", 2, "--step-ratios", "2.9:3.1", "--dry-run")
+    assert json_answer("synth", "box", *steps)["found"] == 3 + 3
     said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
     assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
     assert not Path("found").exists()
