@@ -179,20 +179,21 @@ def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
 
     A step of 3 is also that from 1 to 1/(1 + p).
     """
-    said = vstatics("synth", "box", *ASKED, "--dry-run")
+    dry = ("synth", "box", "--dry-run", *ASKED)
+    said = vstatics(*dry)
     assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
-    document = json_answer("synth", "box", *ASKED, "--dry-run")
+    document = json_answer(*dry)
     CHECK(document)
     assert 0 < document.pop("seconds") < 10
     assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
-    steps = (*ASKED[:6], "--gears", 2, "--step-ratios", "2.9:3.1", "--dry-run")
-    assert json_answer("synth", "box", *steps)["found"] == 3 + 3
-    said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
+    steps = (*dry[:-4], "--gears", 2, "--step-ratios", "2.9:3.1")
+    assert json_answer(*steps)["found"] == 3 + 3
+    said = vstatics(*dry, "-o", "found")
     assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
     assert not Path("found").exists()
     monkeypatch.setattr(command, "LOADING_SECONDS", -1.0)
-    said = vstatics("synth", "box", *ASKED, "--dry-run")
+    said = vstatics(*dry)
     assert "compiled  now, in a second, and " in said.out
 
 
