@@ -88,15 +88,15 @@ WRONG = dict.fromkeys(
     "rnu box.yaml": "there is no command `rnu`; did you mean `run`?",
     "box.yaml": "there is no command `box.yaml`; expected a command before a file; commands are new, ",
     "new zf-8hp70": "zf-8hp70 is a template, not a file: expected --template zf-8hp70",
-    f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
+    f"run {DIFFERENTIAL} --gear 1": "No such option '--gear': flow",
     f"convert {DIFFERENTIAL} -o a.json": "No such option '-o': expected `convert IN OUT`.",
-    f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     f"flow {MZKT} --gear 1,3": "expected an option for each gear: --gear 1 --gear 3",
     f"explain {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
-    "synth box": "'--sets'. Expected --sets N, or --keep CASE instead.",
-    f"report {DIFFERENTIAL}": "Expected --output FILE, or --watch instead.",
     "flow gears/*.yaml": "no file matches `gears/*.yaml`",
+    "synth box": "'--sets'. Expected --sets N, or --keep CASE instead.",
+    f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
+    f"report {DIFFERENTIAL}": "Expected --output FILE, or --watch instead.",
 }
 
 

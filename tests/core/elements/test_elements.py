@@ -66,7 +66,7 @@ FAULTS = (
     ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
     ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
     ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the 30 of sun"),
-    ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
+    ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "P1.efficiency: read 1.2, expected an eff"),
     ("ring: ring", "ring: sun", "sun and ring are the same link"),
     ("input: sun\n", "", "`input` is missing, expected it or `links`, whose first link"),
     ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
@@ -80,7 +80,11 @@ FAULTS = (
 )
 GROUP_FAULTS = (
     ("30, rim: A1}", "30, rim: A3}", "suns[1].rim: read `A3`, expected the name of"),
-    ("[[A2, B1]]", "[[A2, B2]]", "read `B2`, expected the name of a planet gear: A1, A2, B1"),
+    (
+        "[[A2, B1]]",
+        "[[A2, B2]]",
+        "[1][2]: read `B2`, expected the name of a planet gear: A1, A2, B1",
+    ),
     ("[[A2, B1]]", "[[A2, A1]]", "are on the same planet"),
     ("[[A2, B1]]", "[[A2, B1], [A1, B1]]", "block each other"),
     ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),

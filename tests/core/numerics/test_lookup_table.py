@@ -21,3 +21,6 @@ def test_values_are_those_of_scipy_inside_and_constant_outside() -> None:
         assert table.along(*points.T) == pytest.approx(expected, rel=1e-12, abs=1e-12)
         alone = [table.at(*point) for point in points.tolist()]
         assert alone == pytest.approx(expected, rel=1e-12, abs=1e-12)
+        if columns == 1:
+            starts, slopes = np.transpose([table.line_at(x) for x in points[:, 0]])
+            assert starts + slopes * points[:, 0] == pytest.approx(expected, rel=1e-11, abs=1e-11)

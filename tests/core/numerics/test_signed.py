@@ -1,5 +1,6 @@
 """Numbers of any sign: what a plan gives for each variant is what its numbers alone give."""
 
+import operator
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -50,10 +51,12 @@ def test_what_any_sign_has_is_calculated_for_all_variants() -> None:
 
 
 def test_a_condition_of_python_is_a_guard() -> None:
-    _, passed = replayed(lambda abc: [abc[0] if abc[0] > abc[1] else abc[2]])
-    same = (VALUES[0] > VALUES[1]) == (VALUES[0, 0] > VALUES[1, 0])
-    assert (passed == same).all()
-    assert 0 < same.mean() < 1
+    values = VALUES.round() + 0.5  # some are equal
+    for holds in (operator.gt, operator.eq):
+        _, passed = replayed(lambda ab, holds=holds: [ab[0] if holds(*ab[:2]) else ab[2]], values)
+        same = holds(*values[:2]) == holds(*values[:2, 0])
+        assert (passed == same).all()
+        assert 0 < same.mean() < 1
 
 
 def test_variants_in_which_as_many_hold_pass() -> None:

@@ -33,6 +33,11 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
     array([[ 1. ,  0. ],
            [-0.5,  0. ],
            [ 0. ,  1. ]])
+
+    Three gears of equal size that mesh with one another cannot rotate:
+
+    >>> free_motions([{0: 1.0, 1: 1.0}, {1: 1.0, 2: 1.0}, {0: 1.0, 2: 1.0}], 3).shape
+    (3, 0)
     """
     tree = _Tree(unknowns)
     left = [equation for equation in equations if not tree.takes(equation)]

@@ -175,19 +175,25 @@ def test_a_list_tells_whether_it_is_complete(searched: Searched, given_up: int) 
 
 
 def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Six choices of ports, two of four elements; 1 + p = 3 and one of three ways to lock it."""
-    said = vstatics("synth", "box", *ASKED, "--dry-run")
+    """Six choices of ports, two of four elements; 1 + p = 3 and one of three ways to lock it.
+
+    A step of 3 is also that from 1 to 1/(1 + p).
+    """
+    dry = ("synth", "box", "--dry-run", *ASKED)
+    said = vstatics(*dry)
     assert (said.status, said.out) == (0, "boxes  36\nfound  3\ntime   about a second\n")
-    document = json_answer("synth", "box", *ASKED, "--dry-run")
+    document = json_answer(*dry)
     CHECK(document)
     assert 0 < document.pop("seconds") < 10
     assert 0 <= document.pop("compile_seconds") < 10
     assert document == {"searched": 36, "found": 3, "exact": True, "at_least": False}
-    said = vstatics("synth", "box", *ASKED, "--dry-run", "-o", "found")
+    steps = (*dry[:-4], "--gears", 2, "--step-ratios", "2.9:3.1")
+    assert json_answer(*steps)["found"] == 3 + 3
+    said = vstatics(*dry, "-o", "found")
     assert "files  3 cases, 3 diagrams, in about a second\n" in said.out
     assert not Path("found").exists()
     monkeypatch.setattr(command, "LOADING_SECONDS", -1.0)
-    said = vstatics("synth", "box", *ASKED, "--dry-run")
+    said = vstatics(*dry)
     assert "compiled  now, in a second, and " in said.out
 
 
