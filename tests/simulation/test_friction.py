@@ -112,14 +112,15 @@ shift_elements:
 FADING = "{columns: [30, 230], rows: [[0, 0.12, 0.04]]}"
 
 
-def test_a_clutch_that_fades_with_its_own_heat_locks_when_it_should() -> None:
+@pytest.mark.parametrize("states", ["", 'states: {p: {rate: "(1e6 - p)/0.01"}}\n'])
+def test_a_clutch_that_fades_with_its_own_heat_locks_when_it_should(states: str) -> None:
     """Heat is ``E = J (s0^2 - s^2)/2``, so ``J ds/dt = -N (a + b s^2)``: a tangent.
 
     N = p r A z, mu = m - n (T - T0), T - T0 = E/C, hence a = m - n J s0^2/(2 C), b = n J/(2 C).
+    A state in Pa, which the clutch does not read, changes nothing.
     """
-    made = simulated(
-        "duration: 2\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 5 bar}\n", case(FADING)
-    )
+    text = "duration: 2\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 5 bar}\n" + states
+    made = simulated(text, case(FADING))
     inertia, normal, slope = 1 / (1 / 2 + 1 / 3), 5e5 * PER_PRESSURE, 0.08 / 200
     b = slope * inertia / (2 * 900)
     a = 0.12 - b * 300**2

@@ -25,6 +25,7 @@ from vstatics.simulation.tolerances import (
     BETWEEN_EXACT,
     FITTING_TORQUE,
     LEAST_MASS,
+    LEAST_VALUE,
     NOT_ZERO,
     ROUNDED_SUM,
     SAME_END,
@@ -207,15 +208,15 @@ class GivenSeries(NamedTuple):
     coefficients: Floats
     """Coefficients, shape (torques and rates, DEGREE + 1). [N*m]"""
     parts: Parts
-    limit: float
-    """Largest error that counts as rounding. [N*m]"""
+    limits: Floats
+    """Largest error of each series that counts as rounding, shape (torques and rates, 1)."""
 
     @property
     def fit_twice(self) -> bool:
         """True if polynomials of the same degree would fit a stretch of twice the length."""
         last = _degree(self.parts.number)
         highest = self.coefficients[:, last - 1 : last + 1]
-        return largest(highest * (2.0 ** (last - 1), 2.0**last)) <= self.limit
+        return bool((np.abs(highest) * (2.0 ** (last - 1), 2.0**last) <= self.limits).all())
 
     def continued(self, parts: Parts) -> Floats | None:
         """Return the coefficients over the next stretch, if at most twice as long."""
@@ -375,7 +376,8 @@ class Closed:
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
         self.sees_state = bool(self.by_state.any())
-        self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
+        of_torques = np.abs(self.by_state[: self.torques])
+        self.noise = ROUNDED_SUM * largest(of_torques @ np.abs(state[: self.size]))
         """Rounding error of the torques that depend on the state. [N*m]"""
         try:
             self.affine = Affine(equations, by_rate, by_state)
@@ -551,30 +553,44 @@ class Closed:
             else:
                 at[:, 1:] = self._states(self._followed(parts, state, given, to_powers))
                 now = self._bent(times, at, given, to_values)
-            size = largest(now)
-            if not math.isfinite(size):
+            if not math.isfinite(largest(now)):
                 return None
             given = now[:, 1:] @ to_series
-            limit = max(FITTING_TORQUE * max(self.large, size), self.noise)
-            if not self.is_used.all() and self._uses_more(given, limit):
+            limits = self._limits(now, at, parts)
+            if not self.is_used.all() and self._uses_more(given, limits):
                 before, change = None, 0.0
             if before is not None:
-                last_change, change = change, largest(now - before)
-                if change <= limit or change * change <= _CONVERGED * limit * last_change:
-                    errors = np.abs(given @ to_values - now)
-                    if not largest(errors[:, 1:]) <= 4 * limit:  # NaN fails, too
+                last_change, change = change, largest((now - before) / limits)
+                if change <= 1 or change * change <= _CONVERGED * last_change:
+                    errors = np.abs(given @ to_values - now) / limits
+                    if not largest(errors[:, 1:]) <= 4:  # NaN fails, too
                         return None
-                    if not largest(errors[:, 0]) <= _MOST_AT_START * limit:
+                    if not largest(errors[:, 0]) <= _MOST_AT_START:
                         return None
                     self.latest = now[:, -1]
-                    self.series = GivenSeries(given, parts, limit)
+                    self.series = GivenSeries(given, parts, limits)
                     return self._followed(parts, state, given, to_powers)
             before = now
         return None
 
-    def _uses_more(self, given: Floats, limit: float) -> bool:
+    def _limits(self, now: Floats, states: Floats, parts: Parts) -> Floats:
+        """Return the largest allowed errors of nonlinear torques, and of rates in their own units.
+
+        Rates in Pa/s are so large that their errors would be large torques.
+        """
+        sizes, torques = np.abs(now).max(axis=1), self.torques
+        sizes[:torques] = max(self.large, largest(sizes[:torques]), self.noise / FITTING_TORQUE)
+        if len(sizes) > torques:
+            reached = np.abs(states).max(axis=1)
+            by_values = reached[self.equations.values] / (parts.length * parts.number)
+            by_state = np.abs(self.by_state[torques:]) @ reached
+            sizes[torques:] = np.max([sizes[torques:], by_values, by_state], axis=0)
+        limits: Floats = FITTING_TORQUE * np.maximum(sizes, LEAST_VALUE)[:, None]
+        return limits
+
+    def _uses_more(self, given: Floats, limits: Floats) -> bool:
         """Clear unused orders of polynomials; return whether a torque now needs all orders."""
-        bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
+        bends = (np.abs(given) * ~self.is_used > limits).any(axis=1)
         if bends.any():
             self.is_used[bends] = True
             self.exponentials.clear()
