@@ -52,8 +52,13 @@ def test_what_any_sign_has_is_calculated_for_all_variants() -> None:
 
 def test_a_condition_of_python_is_a_guard() -> None:
     values = VALUES.round() + 0.5  # some are equal
-    for holds in (operator.gt, operator.eq):
-        _, passed = replayed(lambda ab, holds=holds: [ab[0] if holds(*ab[:2]) else ab[2]], values)
+    above, equal = operator.gt, operator.eq
+    choices: list[Calculation] = [
+        lambda abc: [abc[0] if above(*abc[:2]) else abc[2]],
+        lambda abc: [abc[0] if equal(*abc[:2]) else abc[2]],
+    ]
+    for holds, choice in zip((above, equal), choices, strict=True):
+        _, passed = replayed(choice, values)
         same = holds(*values[:2]) == holds(*values[:2, 0])
         assert (passed == same).all()
         assert 0 < same.mean() < 1
