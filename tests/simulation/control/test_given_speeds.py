@@ -10,6 +10,7 @@ from tests.chance import each_seed, seeded
 from tests.simulation.control.written import DOG, faults, simulated, written
 from vstatics import CaseError, loads, solve
 from vstatics.simulation import Motion, simulate
+from vstatics.simulation.scenario.checks import scenario_doubts
 
 
 def test_a_ramp_takes_the_torque_of_its_inertia_besides_that_of_the_clutch() -> None:
@@ -136,6 +137,13 @@ def test_at_the_torques_of_statics_speeds_stay(gear: str, x: float) -> None:
     out = -float(results.lossy_output_torque_Nm[number])
     turned = 100 * results.speeds[number]
     assert run(x, gear, out).speeds[-1] == pytest.approx(turned, rel=1e-6)
+
+
+@pytest.mark.parametrize(("given", "ids"), [("", ["N615"]), ("speed_ratios: {hydro: 0.4}", [])])
+def test_a_variator_that_keeps_its_ratio_in_a_shift_is_noted(given: str, ids: list[str]) -> None:
+    shift = "duration: 1\nstart: {gear: a, speed: 100}\nshifts: [{at: 0.5, to: b}]\n"
+    scenario = written(f"{shift}{given}\n", STATIC.format(x=0.7))
+    assert [doubt.id for doubt in scenario_doubts(scenario)] == ids
 
 
 def test_at_a_ratio_of_0_the_motor_stands_and_the_pump_carries_nothing() -> None:

@@ -115,6 +115,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     yield from cut_controls(scenario)
     yield from left_out(case)
     yield from _elastic_losses(case)
+    yield from _kept_ratios(scenario)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
@@ -134,6 +135,22 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
                     f"a radius of {law.radius:g} m",
                     ("torques", _name(case, link)),
                 )
+
+
+def _kept_ratios(scenario: Scenario) -> Iterator[Problem]:
+    """Yield a note on each variator that does not take the speed ratio of a later gear."""
+    case, start = scenario.case, scenario.start.gear
+    ratios = {gear.name: case.gear_ratios(gear) for gear in case.gears}
+    for number, shift in enumerate(scenario.shifts or (), 1):
+        pairs = zip(ratios.get(start or "", ()), ratios.get(shift.to, ()), strict=False)
+        for index, (kept, other) in enumerate(pairs):
+            part = case.mechanisms[index]
+            if part.kind == "variator" and kept != other and index + 1 not in scenario.speed_ratios:
+                text = (
+                    f"{part.name} keeps the speed ratio {kept:g} of the start gear, not {other:g}"
+                )
+                message = f"{text}; give `speed_ratios` over time"
+                yield Problem("N615", message, ("shifts", number, "to"))
 
 
 def _elastic_losses(case: Transmission) -> Iterator[Problem]:
