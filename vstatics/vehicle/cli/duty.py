@@ -10,6 +10,7 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import gathered, refuse
 from vstatics.core.cli.shared.values import FILE, above_0, value
+from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.file_suffixes import suffix_of
 
@@ -41,7 +42,11 @@ class DutyOptions(NamedTuple):
         ------
         ReadError, UsageError
         """
-        is_table = self.duty is not None and suffix_of(self.duty) == ".csv"
+        is_table, text = False, (b"", "")
+        if self.duty is not None:
+            is_table = suffix_of(self.duty) == ".csv"
+            text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
+            is_table |= is_stream(self.duty) and b"speed" in text[0].partition(b"\n")[0]
         without = "--exponent needs --duty with a CSV file"
         refuse((self.exponent is not None and not is_table, without))
         without = "--spectrum needs --duty with a CSV file"
@@ -50,7 +55,6 @@ class DutyOptions(NamedTuple):
             return None
         from vstatics.vehicle.duty_file import read_duty, read_duty_table
 
-        text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
         return read_duty_table(*text, self.exponent, self.classes) if is_table else read_duty(*text)
 
 

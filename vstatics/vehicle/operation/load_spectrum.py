@@ -135,12 +135,12 @@ class Spectrum(NamedTuple):
         if self.damage:
             title = "Damage of the points as one record"
             yield damage_grid(self.damage, title)
-        if self.spectrum:
-            yield spectrum_grid(self.spectrum, are_shares=self.are_shares)
         if self.life:
             yield life_grid(self.life)
         if self.bearings:
             yield bearing_grid(self.bearings)
+        if self.spectrum:
+            yield spectrum_grid(self.spectrum, are_shares=self.are_shares)
 
 
 DutyResults = Cycle | Spectrum
