@@ -69,7 +69,7 @@ def test_mistakes() -> None:
         ("speed[out]", 1, "read `[` after `speed`, expected speed alone: that of the link itself"),
         ("exp(1, 2)", 1, "exp of 2 values, expected one, as in exp(t)"),
         ("__import__('os')", 1, "there is no function `__import__`"),
-        ("exp + 1", 5, "`exp` is a function, expected `(` after it, such as exp(t)"),
+        ("exp + 1", 1, "`exp` is a function, expected `(` after it, such as exp(t)"),
         ("2*(t", 5, "a bracket `(` is not closed"),
         ("", 1, "read nothing, expected a number, t, speed or angle"),
         ("lambda: 0", 1, "which this language does not have"),

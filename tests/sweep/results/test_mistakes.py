@@ -45,7 +45,7 @@ MISTAKES = (
     ("speeds(in)", "speeds(in)", "there is no function `speeds`, expected abs, min, max, sqrt"),
     ("2(3)", "(3)", "expected an operator"),
     ("maxi(ratio)", "maxi(ratio)", "did you mean `max`?"),
-    ("max + 1", "+ 1", "`max` is a function, expected `(`"),
+    ("max + 1", "max + 1", "`max` is a function, expected `(`"),
     ("max()", ")", "read `)` after `(`"),
     ("abs(1, 2)", "abs(1, 2)", "abs of 2 values, expected one"),
     ("max(ratio, key=1)", "=1)", "read `=`, expected `==`"),

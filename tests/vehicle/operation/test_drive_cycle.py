@@ -405,6 +405,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
+        ("t.csv", "Zeit,Weg\nBench 3,4711\n0,0\n5,9\n", ":1:1: error: read the heading 'Zeit'"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", ":1:1: error: the trace has no column `gear`"),
         ("t.csv", "t,v,g\ns,mph,\n0,0,1\n5,9,1\n", "`gear`, `selected gear`, `gear number` or"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:26: error: fuel: read the unit 'kg'"),

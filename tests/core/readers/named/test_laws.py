@@ -63,6 +63,7 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
+        ("speed torque\nrpm N*m\n0 1\n", "`torque [N*m]`; separate the cells by commas, semico"),
         ("kNm,rpm\n0,1\n", "read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`"),
         ("speed,torque,eta\nrpm,N*m,%\n0,5,90\n", "line 1: read the heading 'eta' of a map"),
         ("speed,torque\nrpm,N*m\n# a\n\n5,1\n9,-1\n", "csv`, line 6: read -1 N*m, expected a t"),

@@ -277,7 +277,7 @@ class _Parser:
             raise self.source.error(
                 f"`{name}` is a function, expected `(` after it, such as "
                 f"{name}({language.example})",
-                behind,
+                at,
             )
         if call:
             known = ", ".join(language.functions)

@@ -275,8 +275,7 @@ def read_headings(
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
     """Yield the lines of a table, with empty lines for titles.
 
-    If no cell is a known heading, the headings are the line above the numbers. If that line can be
-    a row of units, the headings are the line above it.
+    If no cell is a known heading, the headings are above the numbers and a row of units.
 
     Examples
     --------
@@ -288,9 +287,6 @@ def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> I
     head = next(known, None)
     if head is None:
         head = _above_numbers(top)
-        separator = separator_of(lines[head]) if head else ","
-        if head and lines[head - 1].count(separator) == lines[head].count(separator) > 0:
-            head -= 1
     return chain(repeat("", head), islice(lines, head, None))
 
 
@@ -314,7 +310,10 @@ class _ExpectedTable(NamedTuple):
             candidates.append((len(known), at, separator, cells))
         most, at, separator, cells = max(candidates, key=itemgetter(0))  # the first of equal lines
         if not most:
-            at = _above_numbers([line for _, line in lines])
+            texts = [line for _, line in lines]
+            apart = map(OTHER_SEPARATORS.split, texts)
+            apart_at = (n for n, row in enumerate(apart) if len(self.understood(row)) > 1)
+            at = next(apart_at, _above_numbers(texts))
             separator, cells = next(_split(lines[at][1]))
         return self.checked(lines, at, separator, cells)
 
@@ -552,13 +551,19 @@ def is_row_of_numbers(line: str) -> bool:
 
 
 def _above_numbers(lines: Sequence[str]) -> int:
-    """Return the index of the line above the (first) longest row of numbers; 0 without numbers."""
+    """Return the index of the headings of the (first) longest row of numbers; 0 without numbers.
+
+    It is the line above the row of numbers, or the line above that line if both have equally many
+    cells, because the lower line can be a row of units.
+    """
     above = [
         at
         for at, (line, below) in enumerate(pairwise(lines))
         if is_row_of_numbers(below) and not is_row_of_numbers(line)
     ]
-    return max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
+    at = max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
+    separator = separator_of(lines[at]) if at else ","
+    return at - bool(at and lines[at - 1].count(separator) == lines[at].count(separator) > 0)
 
 
 def _folded(name: str) -> str:
