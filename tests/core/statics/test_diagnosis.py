@@ -78,7 +78,9 @@ def test_a_geared_neutral_holds_no_torque_but_with_losses() -> None:
         assert abs(at(k).torques[0, -1]) > 1e7
         assert 1 < abs(at(k).lossy_torques[0, -1]) < 100
     braked = Transmission(3, [ShiftElement(3)], [Mechanism(1, 2, 0, -1.0)], [Gear([1])])
-    assert texts(solve(braked))[-1].endswith("nothing supports the torque of the input")
+    at_rest, unheld = texts(solve(braked))
+    assert at_rest == "warning: the output, link 3, is at rest, so the gear has no ratio"
+    assert unheld.endswith("nothing supports the torque of the input")
 
 
 def test_only_torques_that_are_not_held_are_told() -> None:

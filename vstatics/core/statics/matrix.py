@@ -416,8 +416,10 @@ def impossible(
 
     Examples
     --------
-    >>> impossible("ratio", np.array([-2.0, 0.0, 1.0, np.nan]))
-    array([False,  True, False,  True])
+    >>> impossible("ratio", np.array([-2.0, 1.0, np.nan]))
+    array([False, False,  True])
+    >>> impossible("ratio", np.array([-2.0, 0.0]))
+    array([False,  True])
     """
     if quantity == "efficiency":
         return ~((numbers > 0) & (numbers <= 1))
