@@ -352,23 +352,27 @@ def _iterated(laws: Laws, point: Integers, efficiencies: Floats, inverse: Floats
 
 def _of_clusters(laws: Laws, boxes: _Boxes) -> AllFixedPoints:
     """Return fixed points in small boxes that can contain several or none, by Newton's method."""
-    point, efficiencies = boxes.point, boxes.middle
-    best, least = efficiencies, np.full(len(point), np.inf)
-    for _ in range(MOST_CHORD_STEPS if len(point) else 0):
-        error = laws.error_at(point, efficiencies)
-        left = np.nan_to_num(np.abs(error).max(axis=0), nan=np.inf)
-        best, least = np.where(left < least, efficiencies, best), np.minimum(left, least)
-        if (least <= SAME_TRIAL).all():
+    best, least = boxes.middle, np.full(len(boxes.point), np.inf)
+    moving, efficiencies = np.arange(len(boxes.point)), boxes.middle
+    for _ in range(MOST_CHORD_STEPS):
+        if (least <= SAME_TRIAL).all() or not moving.size:
             break
+        part = boxes.of(moving)
+        error = laws.error_at(part.point, efficiencies)
+        left = np.nan_to_num(np.abs(error).max(axis=0), nan=np.inf)
+        best[:, moving] = np.where(left < least[moving], efficiencies, best[:, moving])
+        least[moving] = np.minimum(left, least[moving])
         shifts = LEAST_BOX_WIDTH * np.eye(len(efficiencies))[:, :, None]
-        shifted = [laws.error_at(point, efficiencies - shift) for shift in shifts]
+        shifted = [laws.error_at(part.point, efficiencies - shift) for shift in shifts]
         slopes = np.stack([(error - other) / LEAST_BOX_WIDTH for other in shifted], axis=1)
         exists = np.isfinite(slopes).all(axis=(0, 1))
         inverse = np.linalg.pinv(np.moveaxis(np.where(exists, slopes, 0.0), -1, 0))
         step = np.einsum("nij,jn->in", inverse, np.nan_to_num(error))
-        efficiencies = np.clip(efficiencies - step, *boxes.enlarged[1:])
+        following = np.clip(efficiencies - step, *part.enlarged[1:])
+        moves = (following != efficiencies).any(axis=0)
+        moving, efficiencies = moving[moves], following[:, moves]
     agrees = least <= SAME_TRIAL
-    return AllFixedPoints(point[agrees], best[:, agrees])
+    return AllFixedPoints(boxes.point[agrees], best[:, agrees])
 
 
 def _distinct(known: Floats, groups: Iterable[tuple[AllFixedPoints, float]]) -> AllFixedPoints:

@@ -190,7 +190,8 @@ class Plans:
             passed[passed] = stands
         left = chosen[~passed]
         plan.served = chosen.size - left.size
-        plan.share = plan.served / chosen.size
+        if count:
+            plan.share = plan.served / chosen.size
         return left
 
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
@@ -263,7 +264,7 @@ class Plan:
         self.served = 0
         """Number of variants served in the last run."""
         self.share = 1.0
-        """Fraction of variants served in the last run."""
+        """Fraction of variants served in the last run in which a variant was suitable."""
 
     @property
     def steps(self) -> int:

@@ -29,6 +29,7 @@ from vstatics.core.numerics.traced import (
     sign,
 )
 from vstatics.core.start import NamedTuple
+from vstatics.core.statics import matrix
 from vstatics.core.statics.efficiency import Signs, is_possible
 from vstatics.core.statics.ideal import IdealGear, mechanism_torques
 from vstatics.core.statics.losses import LossyTorques, no_solution, power_ratio, torques_for_signs
@@ -164,7 +165,24 @@ def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
     first = _follow_unloaded(ideal, start)
     if first.admissible:
         return Admissible(first._replace(admissible=True), 1)
-    return _search(ideal, start)
+    return Admissible() if _always_gains(ideal, first) else _search(ideal, start)
+
+
+def _always_gains(ideal: IdealGear, lossy: LossyTorques) -> bool:
+    """Return whether a converter would produce power for all signs.
+
+    The external torque on the pump determines the torque of a converter if nothing else acts there.
+    """
+    case, gear = ideal.case, ideal.gear
+    loaded = matrix.loaded_devices(case, gear)
+    acted = [link for device in loaded for link in ideal.variant.columns[device]]
+    acted += [case.gear_output(gear), *matrix.held_links(case, gear)]
+    return not ideal.allows_driving and any(
+        mechanism.kind == "converter"
+        and acted.count(mechanism.first) == 1
+        and bool(loss * ideal.direction < 0)
+        for mechanism, loss in zip(case.mechanisms, lossy.losses, strict=True)
+    )
 
 
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:

@@ -286,10 +286,13 @@ NO_GEAR_INPUTS = _GearInputs()
 
 
 def _gear_inputs(columns: GearNumbers) -> _GearInputs:
-    """Split the columns of a gear into inputs that vary and numbers equal in all variants."""
+    """Split the columns of a gear into inputs, and numbers that are 0 or 1 in all variants.
+
+    Other equal numbers are inputs, so that plans serve later calls with other numbers.
+    """
     places, rows, constants = [], [], []
     for place, column in columns.items():
-        if column.size > 1 and bool((column == column[0]).all()):
+        if column.size > 1 and column[0] in (0, 1) and bool((column == column[0]).all()):
             constants.append((place, float(column[0])))
         else:
             places.append(place)

@@ -276,9 +276,10 @@ def with_found_ratios(
     solution = follow(columns, variants)
     results = solution.results
     if state.any():
-        _mark_gaining(searched, columns, variants, follow, state)
-        other = follow({**columns, **trials[1]}, variants).results
-        results = _without_ratios(results, other, state)
+        tried = [ratio for ratio in searched if not ratio.is_alone]
+        _mark_gaining(tried, columns, variants, follow, state)
+        other = {n: np.where(state[:, n.gear], t, columns[n]) for n, t in trials[1].items()}
+        results = _without_ratios(results, follow({**columns, **other}, variants).results, state)
     return solution._replace(
         results=results, open=np.where(state, state, solution.open), others=others
     )
@@ -325,10 +326,14 @@ def _roots(
     others = [ratio for ratio in sought if not ratio.is_alone]
     roots: dict[SoughtRatio, Roots] = {}
     if alone:
-        trials = [{ratio.number: np.full(variants, ratio.slow) for ratio in alone}]
-        trials.append({ratio.number: np.full(variants, ratio.fast) for ratio in alone})
-        tried = [follow({**columns, **trial}, variants).results for trial in trials]
-        roots = {ratio: _roots_alone(ratio, *tried) for ratio in alone}
+        trial = {**columns, **{ratio.number: np.full(variants, ratio.slow) for ratio in alone}}
+        slow = fast = follow(trial, variants).results
+        lacks = {ratio: np.isnan(ratio.on_pump(slow)[0]) for ratio in alone}
+        if any(where.any() for where in lacks.values()):
+            for ratio, where in lacks.items():
+                trial[ratio.number] = np.where(where, ratio.fast, ratio.slow)
+            fast = follow(trial, variants).results
+        roots = {ratio: _roots_alone(ratio, slow, fast) for ratio in alone}
     if not others:
         return roots
     longest = max(len(ratio.grid) for ratio in others)
@@ -395,13 +400,17 @@ def _mark_gaining(
     In a gear that coasts, for example, the converter would gain power at every speed ratio of its
     points. At larger speed ratios it would lose power, and torques would exist.
     """
-    if not (state == NO_TORQUE).any():
+    lacks = state == NO_TORQUE
+    if not lacks[:, [ratio.gear for ratio in sought]].any():
         return
-    beyond = {ratio.number: np.full(variants, ratio.fast) for ratio in sought}
+    beyond = {
+        ratio.number: np.where(lacks[:, ratio.gear], ratio.fast, columns[ratio.number])
+        for ratio in sought
+    }
     results = follow({**columns, **beyond}, variants).results
     for ratio in sought:
         exists = np.isfinite(ratio.surplus(results))
-        state[exists & (state[:, ratio.gear] == NO_TORQUE), ratio.gear] = NO_RATIO
+        state[exists & lacks[:, ratio.gear], ratio.gear] = NO_RATIO
 
 
 def _without_ratios(results: Results, other: Results, state: Integers) -> Results:

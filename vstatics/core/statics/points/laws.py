@@ -379,8 +379,7 @@ class _Search:
         if self.strict.gears[gear].slip_drives and np.isfinite(known).all():
             return
         fixed = find_fixed_points(laws, *ends, known)
-        laws = self._laws_of(self.strict, gear, numbers, best)
-        fixed, exist = self._in_range(numbers, laws, fixed)
+        fixed, exist = self._in_range(numbers, best, fixed)
         solutions = np.bincount(fixed.point, exist, self.variants)
         is_solved = np.isin(np.arange(self.variants), fixed.point)
         state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(is_solved, 0, NONE))
@@ -389,7 +388,7 @@ class _Search:
             best[n][fixed.point] = efficiencies
 
     def _in_range(
-        self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
+        self, numbers: list[CaseNumber], best: Mapping[CaseNumber, Floats], fixed: AllFixedPoints
     ) -> tuple[AllFixedPoints, Booleans]:
         """Remove invalid solutions of points that also have valid solutions.
 
@@ -397,10 +396,11 @@ class _Search:
         slipping shift element would produce power. Also return flags of the solutions with torques.
         """
         valid = np.ones(len(fixed.point), np.bool_)
-        slips = bool(self.case.gears[numbers[0].gear or 0].slip)
+        gear = numbers[0].gear or 0
+        slips = bool(self.case.gears[gear].slip)
         if not fixed.point.size or not (slips or any(self.laws[n].text for n in numbers)):
             return fixed, valid
-        torques = laws.torques_at(*fixed)
+        torques = self._laws_of(self.strict, gear, numbers, best).torques_at(*fixed)
         valid &= torques.exist
         for n, torque, exponent in zip(numbers, *torques[:2], strict=True):
             law = self.laws[n]
