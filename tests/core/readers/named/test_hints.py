@@ -68,7 +68,7 @@ def test_the_unknown_keys_of_a_mapping_without_kind_are_named() -> None:
 def test_a_pulley_in_millimetres_and_planets_of_a_pair_get_advice() -> None:
     belt = "{kind: belt, first: s, second: r, planets: 3, diameters: {first: 9 mm, second: 8}}"
     planets, size = errors("\nelements:", f"\nelements:\n  V: {belt}")
-    assert size.endswith("expected a number or a calculation such as -96/39 (without `mm`)")
+    assert size.endswith("expected a number or a calculation such as -96/39 (without a unit)")
     assert "are keys of gear sets" not in planets  # the belt is one
 
 

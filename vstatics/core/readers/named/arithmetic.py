@@ -10,7 +10,6 @@ import operator
 import re
 from typing import NamedTuple
 
-from vstatics.core.errors import quoted
 from vstatics.core.readers.signs import dash_hint, with_plain_blanks
 
 LONGEST_ARITHMETIC = 1000
@@ -106,8 +105,8 @@ def dimensionless(text: str) -> float:
         if not behind:
             return _applied("/", value, divisor)
     if behind:
-        needless = f" (without {quoted(behind[:20])})" * behind[0].isalpha()
-        raise ValueError(expected(text) + needless * (not slip_or_percent(text)))
+        needless = behind[0].isalpha() and not slip_or_percent(text)
+        raise ValueError(expected(text) + " (without a unit)" * needless)
     return value
 
 

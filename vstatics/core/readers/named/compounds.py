@@ -44,6 +44,7 @@ _SYNONYMS = {
     **dict.fromkeys(("spur", "spur_gear", "helical"), "gear_pair"),
     **dict.fromkeys(("closed", "applied", "active"), "engaged"),
     **dict.fromkeys(("crr", "rolling_resistance"), "rolling"),
+    **dict.fromkeys(("zeta", "damping_ratio"), "ratio"),
     "annulus": "ring",
     "band": "brake",
     "dog": "dog_clutch",
