@@ -59,6 +59,19 @@ def test_a_dash_without_a_blank_is_named() -> None:
     assert message.endswith("; write a blank after the dash of each item, such as `- A`")
 
 
+def test_the_unknown_keys_of_a_mapping_without_kind_are_named() -> None:
+    """Source: an efficiency per direction in modelica/ModelicaStandardLibrary/issues/2934."""
+    both = "carrier: c, efficiency: {forward: 0.98, backward: 0.97}"
+    assert errors("carrier: c", both)[0].endswith("; unknown: `forward` and `backward`")
+
+
+def test_a_pulley_in_millimetres_and_planets_of_a_pair_get_advice() -> None:
+    belt = "{kind: belt, first: s, second: r, planets: 3, diameters: {first: 9 mm, second: 8}}"
+    planets, size = errors("\nelements:", f"\nelements:\n  V: {belt}")
+    assert size.endswith("expected a number or a calculation such as -96/39 (without a unit)")
+    assert "are keys of gear sets" not in planets  # the belt is one
+
+
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:
     assert "is written under `mechanisms`" in errors("teeth: {sun: 30, ring: 70}", "ratio: -2")[1]
     ravigneaux = errors("kind: planetary", "kind: ravigneaux, ratio: -2")
@@ -93,6 +106,10 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
         ("kind: planetary", "kind: differential", "bevel"),
         ("ring: r", "annulus: r", "ring"),
         ("input: s", "title: A box\ninput: s", "name"),
+        # BelfrySCAD/BOSL2/issues/1188: spur_gear; modelica/ModelicaStandardLibrary/issues/1873: eta
+        ("kind: planetary", "kind: spur_gear", "gear_pair"),
+        ("kind: planetary", "eta: 0.98, kind: planetary", "efficiency"),
+        ("low: [B]", "low: {closed: [B]}", "engaged"),  # as similar to `loss`
     ],
 )
 def test_words_of_other_programs_suggest_words_of_a_case(old: str, new: str, meant: str) -> None:

@@ -105,7 +105,8 @@ def dimensionless(text: str) -> float:
         if not behind:
             return _applied("/", value, divisor)
     if behind:
-        raise ValueError(expected(text))
+        needless = behind[0].isalpha() and not slip_or_percent(text)
+        raise ValueError(expected(text) + " (without a unit)" * needless)
     return value
 
 

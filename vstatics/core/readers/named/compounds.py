@@ -41,7 +41,14 @@ _SYNONYMS = {
     **dict.fromkeys(("epicyclic", "simple", "planet"), "planetary"),
     **dict.fromkeys(("comment", "comments", "notes"), "description"),
     "title": "name",
+    **dict.fromkeys(("spur", "spur_gear", "helical"), "gear_pair"),
+    **dict.fromkeys(("closed", "applied", "active"), "engaged"),
+    **dict.fromkeys(("crr", "rolling_resistance"), "rolling"),
+    **dict.fromkeys(("zeta", "damping_ratio"), "ratio"),
     "annulus": "ring",
+    "band": "brake",
+    "dog": "dog_clutch",
+    "eta": "efficiency",
     "differential": "bevel",
 }
 """Keys and kinds that users try, with the words of a case that have this meaning."""
@@ -102,7 +109,7 @@ def _advice(key: str, known: Collection[str], *, has_value: bool = False) -> str
     '; write a decimal point, not a decimal comma'
     >>> _advice("kind:belt", ["kind"])
     '; write a blank after the colon: `kind: belt`'
-    >>> _advice("sun", ["first", "second"])
+    >>> _advice("sun", ["first", "ratio"])
     '; sun, ring, carrier and teeth are keys of gear sets under `elements`'
     >>> _advice("ratio", ["sun", "ring", "teeth"])
     '; a gear set with a ratio instead of teeth is written under `mechanisms`'
@@ -114,7 +121,7 @@ def _advice(key: str, known: Collection[str], *, has_value: bool = False) -> str
         return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"
     if "drag_area" in known and key.lower() in _OF_DRAG:
         return "; `drag_area` is the drag coefficient times the frontal area"
-    if key in _MEMBERS and {"first", "second"} <= {*known}:
+    if key in _MEMBERS and {"first", "ratio"} <= {*known}:
         return "; sun, ring, carrier and teeth are keys of gear sets under `elements`"
     if key == "ratio" and "teeth" in known and "ratios" not in known:
         return "; a gear set with a ratio instead of teeth is written under `mechanisms`"

@@ -297,9 +297,11 @@ class Walk:
             kinds = spoken(map(quoted, known), "or")
             of_several = "one of " if len(known) > 1 else ""
             missing = f"{quoted(shape.key)} is missing; expected {of_several}{kinds}"
-            for key, _ in node.entries:
-                if key.text.startswith(f"{shape.key}:"):
-                    missing = f"{quoted(shape.key)} is missing; write a blank after the colon"
+            names = {key.name for record in shape.records.values() for key in record.keys}
+            unknown = [key.text for key, _ in node.entries if key.text not in names]
+            missing += f"; unknown: {spoken(map(quoted, unknown))}" * bool(unknown)
+            if any(name.startswith(f"{shape.key}:") for name in unknown):
+                missing = f"{quoted(shape.key)} is missing; write a blank after the colon"
             self.spots.complain(spot, missing, identity=MISSING)
             self.spots.unreadable.append(spot.path)
             return {}
