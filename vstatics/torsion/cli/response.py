@@ -42,14 +42,13 @@ def speeds_of(text: str) -> Floats:
     from vstatics.core.numerics.steps import Steps
 
     parts = text.split(":")
-    if len(parts) == 2:
-        raise ValueError(f"read {text!r}, expected the number of values, too, such as {text}:9")
-    if len(parts) != 3:
+    if len(parts) not in (2, 3):
         return np.array(numbers("a speed of 0 or more, or A:B:N")(text))
     first, last = numbers("a speed of 0 or more")(",".join(parts[:2]))
-    count = parts[2].strip()
+    count = "".join(parts[2:]).strip()
     if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
-        raise ValueError(f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}")
+        expected = f"A:B:N with 2 to {MOST_SPEEDS} speeds, such as 600:1000:9"
+        raise ValueError(f"read {text[:40]!r}, expected {expected}")
     return Steps(first, last, int(count))[np.arange(int(count))]
 
 
