@@ -22,6 +22,7 @@ _BOTH = "a `load` with both, such as `load: {speed: 2000 rpm, torque: 100 N*m}`"
 """Words for the expected operating point in messages."""
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
+_UNITS = {"speed": " rad/s", "torque": " N*m"}
 ACase = TypeVar("ACase", bound=TransmissionFields)
 LossUnit = Literal["", "W", "kW", "N*m"]
 """Unit of the values of a loss map; empty for an efficiency map."""
@@ -217,13 +218,14 @@ def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> I
         return
     if not law.points:
         yield Problem("E266", "read no points, expected at least one", path)
-    least = -math.inf
+    least, unit = -math.inf, _UNITS[law.over]
     for number, (x, y) in enumerate(law.points, 1):
         if not 0 <= x < math.inf:
-            message = f"read {x:g}, expected a {law.over} of 0 or more: magnitudes count"
+            message = f"read {x:g}{unit}, expected a {law.over} of 0 or more: magnitudes count"
             yield Problem("E266", message, (*path, number, 1))
         elif x <= least:
-            message = f"read {x:g}, expected a {law.over} above {least:g}: points must ascend"
+            above = f"a {law.over} above {least:g}{unit}"
+            message = f"read {x:g}{unit}, expected {above}: points must ascend"
             yield Problem("E266", message, (*path, number, 1))
         if not low <= y <= high or not math.isfinite(y):
             yield Problem("E266", f"read {y:g}, expected {what}{percent(y)}", (*path, number, 2))
@@ -265,14 +267,15 @@ def _of_map(  # noqa: PLR0913
 
 
 def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) -> Iterator[Problem]:
-    before = -math.inf
+    before, unit = -math.inf, _UNITS[noun]
     for place, number in enumerate(numbers, 1):
         message = ""
         if not least <= number or not math.isfinite(number):
             sign = " of 0 or more: magnitudes count" if least == 0 else ", finite"
-            message = f"read {number:g}, expected a {noun}{sign}"
+            message = f"read {number:g}{unit}, expected a {noun}{sign}"
         elif number <= before:
-            message = f"read {number:g}, expected a {noun} above {before:g}: {noun}s must ascend"
+            above = f"a {noun} above {before:g}{unit}"
+            message = f"read {number:g}{unit}, expected {above}: {noun}s must ascend"
         if message:
             yield Problem("E266", message, (*path, place))
         before = max(before, number)

@@ -99,7 +99,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
         ("1", "a.csv", "expected a file as `{over: [speed, torque], file: a.csv}`"),
         ("[]", "1", "expected points"),
         ("[[0, 1, 2]]", "1", "expected 2 numbers: [speed, torque]"),
-        ("[[5, 1], [5, 2]]", "1", "read 5, expected a speed above 5"),
+        ("[[5, 1], [5, 2]]", "1", "read 5 rad/s, expected a speed above 5 rad/s: "),
         ("[[0, -1]]", "1", "read -1, expected a torque of 0 or more"),
         ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
         ("0", "{over: speed}", "`points` is missing"),

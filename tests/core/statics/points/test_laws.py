@@ -85,9 +85,9 @@ def test_a_point_at_the_edge_of_a_map_is_inside_in_spite_of_rounding(speed: int)
 
 def test_laws_that_cannot_be_are_refused() -> None:
     for law, said in (
-        (PointLaw([(1, 1), (0, 2)]), "read 0, expected a speed above 1"),
+        (PointLaw([(1, 1), (0, 2)]), "read 0 rad/s, expected a speed above 1 rad/s"),
         (PointLaw([(0, -1)]), "read -1, expected a torque of 0 or more"),
-        (PointLaw([(-5, 1)]), "read -5, expected a speed of 0 or more"),
+        (PointLaw([(-5, 1)]), "read -5 rad/s, expected a speed of 0 or more"),
     ):
         with pytest.raises(CaseError, match=said):
             pair(drag={1: law})

@@ -232,9 +232,9 @@ def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path) -> None:
 def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
     one, flat = "{over: [speed, torque], columns: %s, rows: %s}", "[[0, 1, 1], [9, 1, 1]]"
     for columns, rows, said in (
-        ("[0, 5, 5]", "[[0, 1, 1, 1], [9, 1, 1, 1]]", r"columns\[3\]: read 5, expected a torque"),
-        ("[-1, 5]", flat, r"columns\[1\]: read -1, expected a torque of 0 or"),
-        ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0, expected a speed above 9"),
+        ("[0, 5, 5]", "[[0, 1, 1, 1], [9, 1, 1, 1]]", r"columns\[3\]: read 5 N.m, expected a t"),
+        ("[-1, 5]", flat, r"columns\[1\]: read -1 N.m, expected a torque of 0 or"),
+        ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0 rad/s, expected a speed ab"),
         ("[0, 5]", "[[0, 1, 1], [9, 1]]", r"rows\[2\]: read 2 numbers, expected 3: the speed, and"),
         # an efficiency says nothing where no power flows: sandialabs/WecOptTool/issues/176
         ("[0, 5]", "[[0, 1, 0], [9, 1, 1]]", r"rows\[1\]\[3\]: read 0, .*1; omit columns of tor"),
