@@ -53,7 +53,7 @@ def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides(
     assert motion.energy.impact == pytest.approx((2 * 90 + 2 * 135) * 90 / 2)
 
 
-def test_a_mistake_is_told() -> None:
+def test_a_mistake_is_reported() -> None:
     for text, fault in (
         ("speeds: {e: [[0, 1], [0, 2]]}", "without a jump"),
         ('speeds: {e: "100*(t < 1)"}', "the speed jumps"),
@@ -65,7 +65,7 @@ def test_a_mistake_is_told() -> None:
         assert any(fault in one for one in found), found
 
 
-def test_speeds_that_contradict_each_other_or_are_tied_are_told() -> None:
+def test_speeds_that_contradict_each_other_or_are_tied_are_reported() -> None:
     pair = """inertias: {a: 2, b: 3}
 mechanisms: {pair: {first: a, second: b, ratio: 2}}
 """
