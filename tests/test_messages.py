@@ -209,7 +209,7 @@ def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error() -> None:
         assert vstatics("run", "other.yaml").fails(f"other.yaml:6:15: error: allow[2]: {why}")
 
 
-def test_a_belt_without_an_efficiency_is_told_by_check_alone() -> None:
+def test_a_belt_without_an_efficiency_is_reported_by_check_alone() -> None:
     for kind, sizes in (("belt", "diameters"), ("chain", "teeth")):
         element = f"{{kind: {kind}, first: a, second: b, {sizes}: {{first: 20, second: 40}}"
         text = f"input: a\noutput: b\nelements: {{E: {element}}}}}\ngears: {{1: []}}\n"

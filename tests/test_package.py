@@ -99,7 +99,7 @@ def test_a_case_comes_from_a_path_a_stream_a_text_or_plain_data() -> None:
     assert Transmission.from_dict(by_numpy) == own
 
 
-def test_faults_of_plain_data_are_told_by_their_keys_without_a_place() -> None:
+def test_faults_of_plain_data_are_reported_by_their_keys_without_a_place() -> None:
     mechanisms = {"pair": {"first": "in", "second": "out", "ratio": np.float64(math.inf)}}
     for changes, said in (
         ({"gears": {"drive": {"engaged": ["C"]}}}, "gears.drive.engaged[1]: read 'C', but"),
@@ -205,7 +205,7 @@ def test_what_speaks_of_one_case_refuses_variants() -> None:
 # How things show themselves
 
 
-def test_a_case_and_its_results_are_told_in_a_line() -> None:
+def test_a_case_and_its_results_are_shown_in_a_line() -> None:
     case = vstatics.load(BOX)
     results = vstatics.solve(case)
     counts = f"{case.own_links} links, 5 shift elements, 2 mechanisms, 4 gears"
@@ -215,7 +215,7 @@ def test_a_case_and_its_results_are_told_in_a_line() -> None:
     assert repr(many).endswith("gears 1, 2, 3, R, variants of shape (7,)>")
 
 
-def test_a_notebook_shows_what_is_told_of_gears_escaped() -> None:
+def test_a_notebook_shows_messages_on_gears_escaped() -> None:
     """Tables in place of all that the values hold; their names stay names."""
     case = vstatics.load(BOX)
     evil = case.replace(gears=[case.gears[0]._replace(name="<b>"), *case.gears[1:]])
@@ -378,7 +378,7 @@ def test_an_array_its_row_and_its_number_have_names(differential: Any) -> None:
         results.gear("lo")
 
 
-def test_another_name_is_told_with_the_nearest(differential: Any) -> None:
+def test_another_name_is_reported_with_the_nearest(differential: Any) -> None:
     for key, said in {
         "spees": "there is no table `spees`; did you mean `speeds`?",
         ("speeds", "crrier"): "did you mean `carrier`?",

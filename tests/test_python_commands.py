@@ -74,7 +74,7 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
 
 @needs("simulation")
 @pytest.mark.parametrize("line", ["user{}:*:::\n", "user{}:x:0:0::/home:/bin/sh\n"])
-def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
+def test_of_a_file_of_other_matters_nothing_is_reported(line: str) -> None:
     """A scenario may name any file as its case."""
     Path("users").write_text("".join(map(line.format, range(300))), "utf-8")
     Path("run.yaml").write_text("{case: users, duration: 1}", "utf-8")
@@ -146,7 +146,7 @@ for call in (
         ("import no_such_part", "is installed, but cannot be imported: ModuleNotFoundError: No"),
     ],
 )
-def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, words: str) -> None:
+def test_a_missing_or_broken_package_is_reported_as_by_commands(text: str, words: str) -> None:
     """In each function that cannot do without; a package that fails on import is none of ours."""
     if text:
         Path("shadow/scipy").mkdir(parents=True)

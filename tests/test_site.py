@@ -91,7 +91,7 @@ def told(site: Path) -> list[dict[str, str]]:
     return read
 
 
-def test_each_page_is_told_with_its_kind(site: Path, told: list[dict[str, str]]) -> None:
+def test_each_page_is_named_with_its_kind(site: Path, told: list[dict[str, str]]) -> None:
     assert {one["kind"] for one in told} == {*KINDS}
     for one in told:
         text = (site / one["page"]).read_text("utf-8")
@@ -106,7 +106,7 @@ def test_entries_of_the_sidebar_differ(site: Path) -> None:
     assert len({*names}) == len(names)
 
 
-def test_nothing_is_told_of_the_machine_that_builds(site: Path) -> None:
+def test_nothing_is_stated_of_the_machine_that_builds(site: Path) -> None:
     places = {str(documents.ROOT), str(Path.home()), str(site.parent)}
     for path in [*site.glob("**/*.html"), *site.glob("**/*.js*")]:
         text = path.read_text("utf-8")

@@ -14,7 +14,7 @@ def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
     assert vstatics.example("mzkt7922") != vstatics.load(CASES / "mzkt7922.dat")
 
 
-def test_another_name_is_told_with_the_nearest() -> None:
+def test_another_name_is_reported_with_the_nearest() -> None:
     with rejects(vstatics.CaseError, "did you mean `zf-8hp70`? [E800]"):
         vstatics.example("zf-8hp7")
 

@@ -146,12 +146,12 @@ def test_a_picture_goes_through_a_pipe() -> None:
     assert said.out.rstrip().endswith("</svg>")
 
 
-def test_a_kind_of_picture_typed_as_a_command_is_told_how_to_draw_it() -> None:
+def test_a_kind_of_picture_typed_as_a_command_gives_the_command_that_draws_it() -> None:
     said = vstatics("stick", "box.yaml")
     assert said.is_wrong_use("`stick` is a picture: `vstatics plot --kind stick`")
 
 
-def test_wrong_use_is_told(tmp_path: Path) -> None:
+def test_wrong_use_is_reported(tmp_path: Path) -> None:
     umdm = ("plot", CASES / "umdm.yaml", "-k", "plan", "-o")
     assert vstatics(*umdm, tmp_path / "plan.bmp").is_wrong_use("expected .svg .png .pdf")
     for gear in ("9", "0", "9" * 5000):

@@ -203,7 +203,7 @@ FAULTS = [
 ]
 
 
-def test_mistakes_are_told_where_they_stand() -> None:
+def test_mistakes_are_reported_where_they_stand() -> None:
     cooled = case(FADING, of_heat="cooling: 0"), "expected a `heat_capacity` as well"
     for text, expected in [cooled, *((case(one), expected) for one, expected in FAULTS)]:
         with pytest.raises(ReadError, match=expected) as caught:

@@ -181,7 +181,7 @@ FAULTS = [
 ]
 
 
-def test_a_road_that_cannot_be_is_told_at_its_place() -> None:
+def test_a_road_that_cannot_be_is_reported_at_its_place() -> None:
     for road, expected in FAULTS:
         other = "" if "radius" in road else ", radius: .5"
         [fault, *_] = faults(*scenario(f"{{mass: 9000, {road}{other}, slope: -.05}}"))

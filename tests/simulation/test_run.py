@@ -41,7 +41,7 @@ def test_a_steady_run_closes(seed: int) -> None:
     assert motion.speeds == pytest.approx(np.full_like(motion.speeds, speed), rel=1e-9)
 
 
-def test_energy_that_is_lost_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_energy_that_is_lost_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     """1e-6 of the work of 100 N*m at 50 rad/s for 1 s, 5000 J, is missing."""
 
     def with_a_leak(record: Record, stopped: None, *, hurried: bool) -> Motion:

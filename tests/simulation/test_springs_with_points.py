@@ -76,7 +76,7 @@ def test_settled_springs_stand_where_their_points_carry_the_torque(given: float)
     assert motion.speeds[-1, 0] == pytest.approx(swung, rel=1e-9)
 
 
-def test_a_torque_that_points_do_not_reach_is_told() -> None:
+def test_a_torque_that_points_do_not_reach_is_reported() -> None:
     flat = Spring(between(1), points=[(0, 0), (0.1, 8), (0.3, 8)], name="S")
     case, start = links(2.0, springs=(flat,)), Start(speeds={1: 0.0}, settled=True)
     scenario = Scenario(case, 1.0, start, torques=((1, constant(9.0)),))

@@ -93,7 +93,7 @@ def test_many_jobs_and_several_pieces_give_the_same_rows(
         assert texts[0].count("\n") == rows
 
 
-def test_what_is_wrong_is_told() -> None:
+def test_what_is_wrong_is_reported() -> None:
     for out, said in {
         "ratio[1]": "each row has a single gear, expected ratio",
         "k=1, k=2": "two columns are called `k`",

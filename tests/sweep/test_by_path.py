@@ -102,7 +102,7 @@ def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -
     assert chunk.counts == {"invalid": 1, "ok": 1}
 
 
-def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
+def test_what_is_wrong_is_reported_at_its_place(file: Path, tmp_path: Path) -> None:
     for vary, said in {
         "load.sped=1 rpm": "expected `load.` and one of speed, torque; did you mean `load.speed`",
         "vehicle.mass=1 kg,2 kg": "numbers of `vehicle` cannot vary in a sweep of a case",
@@ -160,7 +160,7 @@ def test_what_is_not_varied_has_its_own_number(case: vstatics.Transmission) -> N
     assert chunk.columns.tolist() == [[2000, 50, 2, 4, 0, 0.9]]
 
 
-def test_what_has_no_number_of_its_own_is_told(file: Path) -> None:
+def test_what_has_no_number_of_its_own_is_reported(file: Path) -> None:
     file.write_text(CASE.replace("two: []}", "two: [], three: {drag: {out: .01}}}"))
     for path, said in {
         "gears.two.torques.mid": "the case has no number at",

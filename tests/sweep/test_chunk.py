@@ -138,7 +138,7 @@ def test_a_fingerprint_tells_plans_apart() -> None:
     assert plans[0].fingerprint("csv") != plans[0].fingerprint("jsonl")
 
 
-def test_what_cannot_be_is_told_before_anything_is_calculated() -> None:
+def test_what_cannot_be_is_reported_before_anything_is_calculated() -> None:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"vary": {"D.ratio": [[1.0]]}}, "D.ratio: read 2 axes"),
         ({"variants": {"D.ratio": [1], "D.efficiency": [1, 2]}}, "the same number of values"),

@@ -111,7 +111,7 @@ def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
         ("workers", "all workers are lost, or all that were there in the beginning"),
     ],
 )
-def test_a_loss_is_told_in_a_line(lost: str, words: str, cluster: Cluster) -> None:
+def test_a_loss_is_shown_in_a_line(lost: str, words: str, cluster: Cluster) -> None:
     folder = cluster.folder
     running = cluster.begin(*SWEEP, "-o", "out.csv")
     wait_for(lambda: finished(folder / "out.csv.parts"))
@@ -173,7 +173,7 @@ def test_who_was_lost_is_asked_where_dask_does_not_know_it_yet(cluster: Cluster)
         ("nonsense://x", "is not the address of a scheduler, expected tcp://HOST:PORT"),
     ],
 )
-def test_a_scheduler_that_is_not_there_is_told(address: str, words: str, tmp_path: Path) -> None:
+def test_a_missing_scheduler_is_reported(address: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "box.yaml").write_text(CASE_TEXT, "utf-8")
     sweep = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "-o", "o.csv", "--scheduler", address)
     status, said = end(begin(*sweep, cwd=tmp_path))

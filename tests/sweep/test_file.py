@@ -48,7 +48,7 @@ def test_every_key_is_read() -> None:
     assert read("vary: [D.ratio=1, D.efficiency=.9]").vary[1].text == "D.efficiency=.9"
 
 
-def test_what_is_wrong_is_told_with_its_place() -> None:
+def test_what_is_wrong_is_reported_with_its_place() -> None:
     for text, place, words in (
         ("vray: [D.ratio=1]", "1:1", "unknown key `vray`; did you mean `vary`?"),
         ("nothing: 1", "1:1", "unknown key `nothing`, expected `case`"),
@@ -77,7 +77,7 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
         assert words in told
 
 
-def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(folder: Path) -> None:
+def test_what_is_wrong_in_a_text_is_reported_with_its_place_in_the_file(folder: Path) -> None:
     (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     for text, place in {
         "vary: [D.ratio=1, D.ratoi=2]": (2, 21),

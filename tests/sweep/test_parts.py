@@ -128,7 +128,7 @@ def test_points_of_solve_are_the_cases_of_other_documents(case: vstatics.Transmi
             np.testing.assert_allclose(found, expected, rtol=1e-11, err_msg=name)
 
 
-def test_numbers_that_make_no_case_are_told_or_invalid(
+def test_numbers_of_no_case_are_reported_or_invalid(
     case: vstatics.Transmission, file: Path
 ) -> None:
     for path, values, said in (
@@ -156,7 +156,7 @@ def test_a_capacity_is_a_number_of_conditions(file: Path) -> None:
     assert [line[1] for line in lines[1:]] == ["0.3"]
 
 
-def test_what_is_wrong_is_told_at_its_place(file: Path) -> None:
+def test_what_is_wrong_is_reported_at_its_place(file: Path) -> None:
     for vary, said in {
         "P1.teeth.moon=30": "expected `P1.teeth.` and one of sun, ring, planet",
         "P1.teeth=30": "expected `P1.teeth.` and one of sun, ring, planet",

@@ -60,7 +60,7 @@ def test_a_dragged_gear_that_drives_a_further_output_has_what_leaves_there() -> 
     assert made.efficiency == pytest.approx(0.25 / 2.25)
 
 
-def test_what_is_wrong_with_a_duty_cycle_is_told_with_its_place(folder: Path) -> None:
+def test_what_is_wrong_with_a_duty_cycle_is_reported_with_its_place(folder: Path) -> None:
     for duty, message in (
         ('energy:\n  "7": 2\n  low: 1', "2:3: error: gear 7: there is no such gear"),
         ("energy: {low: 1, N: 2}", "gear N: the gear has no efficiency"),

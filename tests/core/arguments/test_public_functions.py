@@ -117,7 +117,7 @@ CALLS: list[tuple[str, type[Exception], Callable[[], Any], str]] = [
 
 
 @pytest.mark.parametrize(("annex", "kind", "call", "said"), CALLS)
-def test_a_wrong_argument_is_told_with_what_to_give(
+def test_a_wrong_argument_is_reported(
     annex: str, kind: type[Exception], call: Callable[[], Any], said: str
 ) -> None:
     """As an argument of Python, not as an option."""

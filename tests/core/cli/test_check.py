@@ -135,7 +135,7 @@ def test_a_gear_that_cannot_drive_fails_the_check_at_its_place() -> None:
         assert vstatics(command, "-", stdin=stdin).status == 0
 
 
-def test_a_deck_is_told_its_fields_instead_of_keys() -> None:
+def test_messages_on_a_deck_name_its_fields_instead_of_keys() -> None:
     text = NEUTRAL.replace("-2.5", "2.5").encode()
     deck = vstatics("convert", "-", "-", "--to", "deck", stdin=text).out.encode()
     said = vstatics("check", "-", stdin=deck).err

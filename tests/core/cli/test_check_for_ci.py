@@ -96,9 +96,7 @@ def test_a_red_job_has_a_red_report() -> None:
 
 
 @needs("simulation")
-def test_a_case_that_several_scenarios_name_is_told_of_once(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_case_of_several_scenarios_is_reported_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """But in JUnit, where each file has its own verdict."""
     monkeypatch.setattr("vstatics.simulation.cli.documents.TRIED", 0.05)
     names = ("8hp70-upshift", "8hp70-downshift")

@@ -130,7 +130,7 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
 
 
 @pytest.mark.parametrize("name", ["a.dat", "a.yaml", "a.yml", "a.JSON", "a", "a.txt"])
-def test_format_is_told_by_suffix_then_by_content(name: str, folder: Path) -> None:
+def test_format_is_recognised_by_suffix_then_by_content(name: str, folder: Path) -> None:
     path = folder / name
     suffix = {".dat": "deck", ".yml": "yaml"}.get(path.suffix, path.suffix.lower()[1:])
     for kind, word in {"deck": "KJG", "yaml": "YAML", "json": "not JSON"}.items():

@@ -33,7 +33,7 @@ def test_python_m_is_the_same_program() -> None:
     assert process("--version") == (0, words.encode(), b"")
 
 
-def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
+def test_a_build_is_identified_by_the_files_of_the_package(tmp_path: Path) -> None:
     """A copy of them is the same build, a changed byte makes another one."""
     copy = tmp_path / "vstatics"
     shutil.copytree(ROOT / "vstatics", copy, ignore=shutil.ignore_patterns("__pycache__"))
@@ -66,7 +66,7 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) ->
     assert (status, err) == (0, b"1\n")
 
 
-def test_a_full_disk_is_told_in_one_line() -> None:
+def test_a_full_disk_is_reported_in_one_line() -> None:
     for command in (
         "run cases/mzkt7922.dat",
         "run cases/mzkt7922.dat cases/umdm.yaml -f jsonl",
@@ -80,7 +80,7 @@ def test_a_full_disk_is_told_in_one_line() -> None:
         assert shell(f"vstatics {command} > /dev/full") == (1, b"", full)
 
 
-def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -> None:
+def test_closed_streams_are_reported_but_results_come_even_where_messages_cannot() -> None:
     closed = b"<stdin>: error: cannot be read: it is closed [E006]\n"
     for command in ("run -", "check -", "convert - - --to deck", f"compare - {MZKT}"):
         assert shell(f"vstatics {command} <&-") == (1, b"", closed)
@@ -96,7 +96,7 @@ def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1251"])
-def test_results_are_utf_8_whatever_python_is_told(encoding: str, folder: Path) -> None:
+def test_results_are_utf_8_whatever_python_is_set_to(encoding: str, folder: Path) -> None:
     (folder / "ru.yaml").write_text(RUSSIAN, "utf-8")
     assert vstatics("run", "ru.yaml", "-f", "json", "-o", "a.json").status == 0
     text = Path("a.json").read_text("utf-8").replace("[null, 3.5]", "[null, 3]")

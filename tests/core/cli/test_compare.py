@@ -146,7 +146,7 @@ def test_what_is_no_result_is_an_error_at_its_file() -> None:
             assert said.err.startswith("x:")
 
 
-def test_documents_that_are_no_results_are_told_by_what_they_are() -> None:
+def test_documents_that_are_no_results_are_named_by_what_they_are() -> None:
     case = "is a case, not a result; create a result with `vstatics run CASE -f json -o"
     for words, call in {
         "a problem that `vstatics check` reports": "check open.yaml -f json",
@@ -255,7 +255,7 @@ def test_sweeps_are_the_same_in_every_format_and_order() -> None:
     assert lines("actual.csv", expected) == gone
 
 
-def test_numbers_of_a_sweep_are_told_by_variant_and_column() -> None:
+def test_numbers_of_a_sweep_are_named_by_variant_and_column() -> None:
     """The ratio with B engaged is that of the input to the carrier: 1 - u."""
     actual, expected = sweep("a.csv", "-2,-3,-5"), sweep("b.npz")
     told = [line.split("  ") for line in lines(actual, expected)]
@@ -284,7 +284,7 @@ def test_sweeps_are_compared_in_every_format_and_in_directories() -> None:
     assert "1 unreadable" in vstatics("compare", "new", "golden").out
 
 
-def test_of_many_numbers_of_a_sweep_some_of_each_column_are_told() -> None:
+def test_of_many_numbers_of_a_sweep_some_of_each_column_are_named() -> None:
     both = sweep("a.csv", "-3:-2:500"), sweep("b.csv", "-4:-3.1:500")
     told = lines(*both)
     assert (len(told), told[-1]) == (20, f"  ... {3 * 500 - 18} more numbers: --all")

@@ -63,7 +63,7 @@ def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
     assert library.load(back) == library.load(MZKT)
 
 
-def test_warnings_of_the_input_are_told_and_it_is_converted(folder: Path) -> None:
+def test_warnings_of_the_input_are_reported_and_it_is_converted(folder: Path) -> None:
     """A planetary set with u > 0 and no planet ratio has no planet speed: a warning."""
     text = NEUTRAL.replace("-2.5", "2.5").encode()
     said = vstatics("convert", "-", "-", "--to", "deck", stdin=text)
@@ -74,7 +74,7 @@ def test_warnings_of_the_input_are_told_and_it_is_converted(folder: Path) -> Non
     assert [*folder.iterdir()] == []
 
 
-def test_a_conflict_of_freewheels_is_told_as_a_deck_knows_none() -> None:
+def test_a_conflict_of_freewheels_is_reported_as_a_deck_knows_none() -> None:
     """The output turns backward, which the freewheel there does not let it."""
     text = """
 links: 2

@@ -116,7 +116,7 @@ SOON = ("run jsonl", "sweep parquet", "boxes folder")
         for fill in (fill_pages, fill_inodes)
     ],
 )
-def test_a_full_file_system_is_told_by_the_output(
+def test_a_full_file_system_is_reported(
     name: str, fill: Callable[[Path, int], None], small: Path
 ) -> None:
     assert try_full(COMMANDS[name], fill, small) > 1
@@ -145,7 +145,7 @@ class FullDisk:
 @pytest.mark.usefixtures("prepared")
 @pytest.mark.parametrize("name", COMMANDS_ONCE)
 @pytest.mark.parametrize("all_calls", with_slow([False], [True]))
-def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
+def test_a_call_that_fails_for_a_full_disk_is_reported_by_the_output(
     name: str, all_calls: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Let the disk be full from one of all calls on, then have room again."""

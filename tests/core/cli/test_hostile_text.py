@@ -71,7 +71,7 @@ LINES = (
 
 
 @pytest.mark.parametrize("arguments", LINES, ids=" ".join)
-def test_the_command_line_is_told_escaped(arguments: tuple[str, ...]) -> None:
+def test_the_command_line_is_shown_escaped(arguments: tuple[str, ...]) -> None:
     told(*arguments)
 
 
@@ -103,7 +103,7 @@ TEXTS = {
 
 
 @pytest.mark.parametrize("form", TEXTS)
-def test_a_case_is_told_escaped(form: str) -> None:
+def test_a_case_is_shown_escaped(form: str) -> None:
     for text in TEXTS[form]:
         for command in ("run", "check"):
             assert ": error: " in told(command, "-", "--from", form, stdin=text), text
@@ -139,13 +139,13 @@ READ = {
 
 
 @pytest.mark.parametrize("command", READ, ids=" ".join)
-def test_another_document_is_told_escaped(command: tuple[str, ...]) -> None:
+def test_another_document_is_shown_escaped(command: tuple[str, ...]) -> None:
     for text in READ[command]:
         assert "rror: " in told(*command, stdin=text), text
 
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "txt"])
-def test_a_table_is_told_escaped(suffix: str) -> None:
+def test_a_table_is_shown_escaped(suffix: str) -> None:
     variants = ("sweep", "box.yaml", "--variants", f"own.{suffix}")
     for text in (f"{ATTACK}\n1\n", f"D.ratio\n{ATTACK}\n", f'{{"{ATTACK}": 1}}'):
         Path(f"own.{suffix}").write_text(text, "utf-8")

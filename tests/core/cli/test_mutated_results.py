@@ -72,7 +72,7 @@ ARRAYS: tuple[tuple[str, dict[str, Any]], ...] = (
 )
 
 
-def test_json_lines_are_told_by_line_and_key(folder: Path) -> None:
+def test_json_lines_are_named_by_line_and_key(folder: Path) -> None:
     for text, words in JSON_LINES.items():
         (folder / "v.jsonl").write_text(text, "utf-8")
         begin = time.process_time()
@@ -81,7 +81,7 @@ def test_json_lines_are_told_by_line_and_key(folder: Path) -> None:
         assert told.fails(words if words[0] == "P" else f"v.jsonl{words}"), text[:80]
 
 
-def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
+def test_arrays_and_columns_that_are_no_table_are_reported(folder: Path) -> None:
     for words, arrays in ARRAYS:
         np.savez(folder / "own.npz", **arrays)
         for line in (

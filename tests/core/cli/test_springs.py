@@ -83,7 +83,7 @@ def test_every_command_takes_every_case(command: str, form: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["plan", "lever", "flow", "structure", "stick", "efficiency"])
-def test_every_picture_is_drawn_or_told_to_be_none(kind: str) -> None:
+def test_every_picture_is_drawn_or_reported(kind: str) -> None:
     nothing = {
         "plan": {"four", "mass", "issue"},  # nothing is free
         "lever": {"mass"},  # no mechanism

@@ -94,7 +94,7 @@ def test_a_case_has_at_most_twenty_lines(files: tuple[Path, Path], tmp_path: Pat
     assert "more changes" in lines[-1] or "more numbers" in lines[-1]
 
 
-def test_a_change_without_effect_is_told_and_no_failure(tmp_path: Path) -> None:
+def test_a_change_without_effect_is_reported_and_no_failure(tmp_path: Path) -> None:
     old = run(NEUTRAL, tmp_path, "old.json")
     new = run(f"{NEUTRAL}inertias: {{1: 0.2}}\n", tmp_path, "new.json")
     said = vstatics("compare", new, old)

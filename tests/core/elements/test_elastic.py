@@ -107,7 +107,7 @@ STIFFNESSES = (
 )  # fmt: skip
 
 
-def test_masses_and_stiffnesses_that_cannot_be_are_told() -> None:
+def test_masses_and_stiffnesses_that_cannot_be_are_reported() -> None:
     for text, faults in ((WITH_PLANET, MASSES), (ELASTIC, STIFFNESSES)):
         for before, after, said in faults:
             [told] = errors(changed(before, after, text))
@@ -131,7 +131,7 @@ def test_planets_without_teeth_have_no_speed_and_so_no_inertia() -> None:
     loaded(text.replace("inertia: 1e-5", "mass: 1, radius: .1"))  # its pin is with the carrier
 
 
-def test_planets_that_are_not_there_are_told_to_the_library() -> None:
+def test_planets_that_are_not_there_are_reported_to_the_library() -> None:
     members, teeth = {"first": 1, "second": 2}, {"first": 20, "second": 30}
     pair = Element("G", "gear_pair", members, teeth, planet_masses={"planet": PlanetMass(1.0)})
     with pytest.raises(CaseError, match="no planet `planet`, a gear_pair has none"):

@@ -99,7 +99,7 @@ GROUP_FAULTS = (
 )
 
 
-def test_a_fault_is_told_with_its_place() -> None:
+def test_a_fault_is_reported_with_its_place() -> None:
     for text, faults in ((SET, FAULTS), (GROUP, GROUP_FAULTS)):
         for before, after, words in faults:
             found = problems(changed(before, after, text))
@@ -160,7 +160,7 @@ def test_the_housing_is_no_output() -> None:
             assert said in problems(text)[0]
 
 
-def test_a_wheel_with_teeth_but_no_link_is_told() -> None:
+def test_a_wheel_with_teeth_but_no_link_is_reported() -> None:
     """It is left out; the one who forgot its link wants to know."""
     text = """
 links: [in, out]
@@ -173,7 +173,7 @@ gears: {1: {}}
     assert told.startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the gear is ignored")
 
 
-def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more() -> None:
+def test_of_an_element_without_a_known_kind_the_kind_alone_is_reported() -> None:
     """Its links are known all the same, those of gears and ports too."""
     members = "kind: planetary, sun: sun, ring: ring, carrier: carrier"
     for before, after, words in (

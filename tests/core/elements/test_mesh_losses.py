@@ -81,7 +81,7 @@ def test_numbers_that_are_given_hold() -> None:
     assert of_set(more=", mesh_efficiency: {friction: 0.03}") > of_set()
 
 
-def test_a_ring_that_is_too_small_is_told() -> None:
+def test_a_ring_that_is_too_small_is_reported() -> None:
     with pytest.raises(ReadError, match="read 32 teeth, expected 34 at least"):
         of_set(ring=32)
     with pytest.raises((ReadError, CaseError), match="between 0 and 1"):

@@ -47,7 +47,7 @@ def test_it_turns_as_one_with_such_teeth() -> None:
     assert own.planet_speeds == pytest.approx(toothed.planet_speeds, rel=1e-12, nan_ok=True)
 
 
-def test_what_is_no_such_set_is_told() -> None:
+def test_what_is_no_such_set_is_reported() -> None:
     others: tuple[dict[str, Any], ...]
     others = {"efficiency": None}, {"teeth": {"ring": 85}}, {"stiffness": 1e5}
     wrong = (2.0, -2.5), (-2.5, -2.0), (2.5, -0.5), (float("nan"), -2.0)

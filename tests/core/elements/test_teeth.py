@@ -176,7 +176,7 @@ LAYOUTS = (
 """An element, words about it, severity and place of the doubt if there is any."""
 
 
-def test_wheels_that_do_not_fit_are_told() -> None:
+def test_wheels_that_do_not_fit_are_reported() -> None:
     """Wheels of one element fit between their axes, planets beside one another do not touch."""
     for text, word, *expected in LAYOUTS:
         said = [(one.severity, one.path[-1]) for one in told(of(text), word)]
@@ -185,7 +185,7 @@ def test_wheels_that_do_not_fit_are_told() -> None:
         assert not place or said[0][1] == place
 
 
-def test_a_wheel_of_a_group_that_does_not_fit_is_told_with_teeth_that_do() -> None:
+def test_a_wheel_of_a_group_that_does_not_fit_is_reported_with_teeth_that_do() -> None:
     """74/28 = 2.6429 and so on: the published teeth."""
     [said] = told(umdm_with(79), "ring `8` 79 is not sun `4` + 2 rim `B2` = 74")
     assert (said.severity, said.path[-3:]) == ("warning", ("rings", 3, "teeth"))
@@ -242,7 +242,7 @@ def test_tips_interfere_in_a_ring_that_is_hardly_larger() -> None:
 
 
 @given(st.integers(17, 60), st.integers(17, 60))
-def test_teeth_meet_again_after_as_many_turns_as_is_told(first: int, second: int) -> None:
+def test_teeth_meet_again_after_as_many_turns_as_stated(first: int, second: int) -> None:
     """Counting tooth by tooth: tooth 0 of both meet again after so many teeth."""
     doubtful = told(element("gear_pair", first=first, second=second), "common divisor")
     passed = next(n for n in range(1, first * second + 1) if n % first == 0 == n % second)
@@ -256,7 +256,7 @@ def test_teeth_meet_again_after_as_many_turns_as_is_told(first: int, second: int
     assert problem.severity == "note"
 
 
-def test_common_divisors_of_an_element_are_told_together() -> None:
+def test_common_divisors_of_an_element_are_named_together() -> None:
     [problem] = told(of("planetary/3 sun 48 ring 96 planet 24"), "common divisor")
     for said in (
         "sun 48 and planet 24 have the common divisor 24",
@@ -268,7 +268,7 @@ def test_common_divisors_of_an_element_are_told_together() -> None:
         assert not told(of(text), "common divisor")
 
 
-def test_nearby_teeth_are_told_with_their_ratio() -> None:
+def test_nearby_teeth_are_proposed_with_their_ratio() -> None:
     """A pair keeps its ratio where a wheel grows."""
     one = of("planetary/3 sun 48 ring 97")
     [problem] = told(one, "nearest that fit")

@@ -119,7 +119,7 @@ def test_equal_gears_of_a_differential_are_no_symbol() -> None:
     assert [symbol.name for symbol in found.symbols] == ["u2", "u3", "u4"]
 
 
-def test_without_sympy_all_but_the_formula_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_sympy_all_but_the_formula_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
     said = vstatics("explain", CASES / "differential.yaml", "--gear", "2")
     assert said.status == 0

@@ -224,7 +224,7 @@ gears: {g: []}
     assert "M (w_first - w_third) > 0, M with drag" in sheet
 
 
-def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
+def test_teeth_of_planets_that_fill_a_gap_are_listed() -> None:
     """Long planets between the large sun (42) and the ring (84) have 21: w_ring 84/21."""
     sheet, blanks = asked("""
 links: [small, large, ring, carrier]

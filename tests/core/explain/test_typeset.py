@@ -121,7 +121,7 @@ def test_how_torques_count_is_a_list_of_sentences_with_formulas(lang: str) -> No
 
 
 @pytest.mark.parametrize("form", ["text", "markdown"])
-def test_what_a_symbol_stands_for_is_told_in_the_language(form: str) -> None:
+def test_what_a_symbol_stands_for_is_explained_in_the_language(form: str) -> None:
     """Of planets that are links a symbol tells which gears, in every format."""
     lines = explanation("ford-6r80", "--gear", "1", "--lang", "ru", form=form).splitlines()
     [told] = [line for line in lines if "k1" in line and "rear:" in line]

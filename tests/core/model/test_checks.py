@@ -55,7 +55,7 @@ FAULTS: tuple[tuple[dict[str, Any], str, Any, str, str], ...] = (
 )
 
 
-def test_a_fault_is_told_with_its_path() -> None:
+def test_a_fault_is_reported_with_its_path() -> None:
     for parts, key, given, path, said in FAULTS:
         one = isinstance(given, tuple)  # a part, the only one of its kind
         with pytest.raises(CaseError) as caught:

@@ -93,7 +93,7 @@ FAULTS = (
 )
 
 
-def test_a_spring_that_cannot_be_is_told() -> None:
+def test_a_spring_that_cannot_be_is_reported() -> None:
     """Faults that a document can have too are in `tests/bad`."""
     for spring, said in FAULTS:
         with rejects(CaseError, said) as caught:
@@ -101,7 +101,7 @@ def test_a_spring_that_cannot_be_is_told() -> None:
         assert len(caught.value.problems) == 1
 
 
-def test_an_inertia_a_rigid_part_and_a_second_spring_that_cannot_be_are_told() -> None:
+def test_an_inertia_a_rigid_part_and_a_second_spring_that_cannot_be_are_reported() -> None:
     for inertias, said in (
         ({1: math.nan}, "inertias[1]: read nan, expected an inertia of 0 or more"),
         ({2: math.inf}, "inertias[2]: read inf"),

@@ -47,7 +47,7 @@ def test_an_equation_in_excess_that_agrees_does_no_harm() -> None:
     assert (solution.consistent, solution.excess) == (True, 1)
 
 
-def test_zero_is_told_from_small_by_what_it_was_made_of() -> None:
+def test_zero_is_distinguished_from_small_by_its_terms() -> None:
     # .1 + .2 is not .3 in binary; 1e-12 is a number
     assert solve(rows([[0.1 + 0.2, 1], [0.3, 1]], [1, 1]), 2).missing == 1
     assert solve(rows([[0.3 + 1e-12, 1], [0.3, 1]], [1, 1]), 2).missing == 0

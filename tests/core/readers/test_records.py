@@ -70,7 +70,7 @@ def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() 
     assert fault_of_record(b"time,torque\n0," + b"1" * 1_000_000 + b"\n").id == "E121"
 
 
-def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
+def test_a_column_that_is_missing_is_reported_with_those_of_its_kind() -> None:
     links = ",".join(f"speeds[{n}]" for n in range(12))
     text = f"time,{links},torques[prop],torques[tyres]\n" + "0" + ",1" * 14 + "\n"
     record = read_record(text.encode(), "r.csv", {"time": None})

@@ -107,7 +107,7 @@ def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", ["run", "check", "convert", "compare"])
-def test_what_is_no_file_is_told(command: str, tmp_path: Path) -> None:
+def test_what_is_no_file_is_reported(command: str, tmp_path: Path) -> None:
     more = {"convert": [tmp_path / "new.yaml"], "compare": [MZKT]}.get(command, [])
     for path in ("nowhere.dat", "/dev/null", "x/y.yaml"):
         said = vstatics(command, path, *more)

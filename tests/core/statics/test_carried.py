@@ -8,7 +8,7 @@ from vstatics.core.numerics.tolerances import VISIBLE_EXCESS as MORE
 
 
 @pytest.mark.parametrize("load", [None, 400.0, -150.0])
-def test_more_than_the_capacity_is_told_of_its_gear_alone(load: float | None) -> None:
+def test_more_than_the_capacity_is_reported_of_its_gear_alone(load: float | None) -> None:
     """A held ring of a set of ratio u bears -u times the torque of the sun."""
     chance = seeded(5)
     for _ in range(20):

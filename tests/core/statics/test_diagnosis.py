@@ -83,7 +83,7 @@ def test_a_geared_neutral_holds_no_torque_but_with_losses() -> None:
     assert unheld.endswith("nothing supports the torque of the input")
 
 
-def test_only_torques_that_are_not_held_are_told() -> None:
+def test_only_torques_that_are_not_held_are_reported() -> None:
     """The output takes that of the input; a pair on a link beside it takes none."""
     pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(3, 4, 0, -2.0)]
     case = Transmission(4, [], pairs, [Gear(torques={4: 0.5})], output=2)
@@ -125,7 +125,7 @@ def test_beside_no_torque_the_one_that_is_proposed_has_a_unit() -> None:
         assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
 
 
-def test_a_singular_train_of_the_right_count_is_told_both() -> None:
+def test_a_singular_train_of_the_right_count_has_both_messages() -> None:
     """Two brakes on one link; the fourth and fifth link hang on the sun."""
     case = train([(2, 0), (2, 0)], Gear([1, 2]), links=5)
     case = case.replace(mechanisms=[*case.mechanisms, Mechanism(1, 4, 5, -2.0)])
@@ -138,7 +138,7 @@ def test_a_singular_train_of_the_right_count_is_told_both() -> None:
     assert [*results.ratio, *results.output_torque] == pytest.approx([3, 3])
 
 
-def test_an_output_of_which_nothing_is_given_is_told() -> None:
+def test_an_output_of_which_nothing_is_given_is_reported() -> None:
     """Where its speed is determined, by a brake here, only a torque can be given."""
     gears = [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()]
     sets = [Mechanism(1, 2, 3, -2.5)]

@@ -63,7 +63,7 @@ def test_the_rounding_of_a_ratio_counts_too() -> None:
 
 
 @ranges_with_slow(16, 60, 400)
-def test_every_wrong_speed_is_told(seeds: range) -> None:
+def test_every_wrong_speed_is_reported(seeds: range) -> None:
     """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
     wrong = 0
     for seed in seeds:

@@ -91,7 +91,7 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
     assert [one.text[:7] for one in results.messages if one.gear == "1 manual"] == ["tied up"]
 
 
-def test_freewheels_that_could_hold_in_place_of_each_other_are_told() -> None:
+def test_freewheels_that_could_hold_in_place_of_each_other_are_reported() -> None:
     """Two between the same links: either turns the set as one piece."""
     elements = [ShiftElement(3, 2, "F1", "freewheel"), ShiftElement(2, 1, "F2", "freewheel")]
     sets = [Mechanism(1, 2, 3, 3.0, name="P", planet_ratio=-1.0)]

@@ -11,7 +11,7 @@ from vstatics.core.statics.idle_by_coincidence import coincidences, idle_with_to
 AXLE = Transmission(3, [], [Mechanism(2, 3, 1, -1.0, 0.98, 0.5)], [Gear(speeds={2: 1.0})])
 
 
-def test_a_mechanism_idle_by_coincidence_is_told() -> None:
+def test_a_mechanism_idle_by_coincidence_is_reported() -> None:
     """It moves as one piece for these speeds or torques only, so a port depends on its sign.
 
     First: a shaft of efficiency e beside a set; with u' = u eta**x equilibrium gives a torque

@@ -116,7 +116,7 @@ gears: {g: {torques: {x: 5 N*m}}}
             assert powers == pytest.approx(alone.port_powers_kW[0], rel=1e-12)
 
 
-def test_the_torque_that_holds_a_speed_is_told() -> None:
+def test_the_torque_that_holds_a_speed_is_shown() -> None:
     """The motor turns itself against its drag: nothing goes through the set."""
     text = """
 links: [engine, motor, out]

@@ -45,14 +45,14 @@ def test_a_gear_locked_by_friction_keeps_its_ideal_numbers() -> None:
     assert "self-locking when coasting" in texts(coasting)[0]
 
 
-def test_a_flow_that_losses_turn_is_told() -> None:
+def test_a_flow_that_losses_turn_is_reported() -> None:
     for name in (name for name in NASTY if name.startswith("turned")):
         results = solve(NASTY[name])
         names = " and ".join(f"D{number + 1}" for number in np.nonzero(results.turned[0])[0])
         assert f"note: losses reverse the power flow through {names}" in texts(results)
 
 
-def test_several_admissible_sets_of_signs_are_told() -> None:
+def test_several_admissible_sets_of_signs_are_reported() -> None:
     for name in (name for name in NASTY if name.startswith("several")):
         said = [text for text in texts(solve(NASTY[name])) if "the largest efficiency is" in text]
         assert re.match(r"note: [2-9]\d* sets of power directions are", said[0])

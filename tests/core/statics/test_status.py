@@ -50,7 +50,7 @@ def test_a_sound_gear_has_none_but_where_a_search_was_cut_short() -> None:
     assert [one.name for one in statuses(**marks)] == ["tied up", "open", "no torques"]
 
 
-def test_statuses_are_told_apart_in_every_language() -> None:
+def test_statuses_differ_in_every_language() -> None:
     for language in get_args(Language):
         for words in zip(*(one[:3] for one in STATUSES), strict=True):
             said = [translated(one, language) for one in words]

@@ -228,7 +228,7 @@ gears: {open: {engaged: [], speed_ratios: {TC: .6}}, locked: {engaged: [LU], spe
     assert told == {("W414", "open"), ("N415", "open")}
 
 
-def test_a_link_that_is_none_is_told_beside_a_converter() -> None:
+def test_a_link_that_is_none_is_reported_beside_a_converter() -> None:
     """Whether the converter is bypassed is asked of links that are known to be some."""
     ends = {"element": 2, "mechanism": 2, "spring": 2}
     for wrong, part, ratios in product((99, -7, 2.5), ends, ({}, {1: 0.7})):

@@ -37,7 +37,7 @@ def test_torques_that_are_given_with_a_unit_are_shown_as_given() -> None:
         assert ring["B"] - 12 == pytest.approx(-ring["P1.ring"])
 
 
-def test_a_load_that_is_none_is_told_once() -> None:
+def test_a_load_that_is_none_is_reported_once() -> None:
     text = changed("low: {engaged: [B]}", "low: {engaged: [B], torques: {ring: 3 N*m}}")
     for load, words in (
         ("{power: 90 kW, speed: 3000 rpm, torque: 300 N*m}", "300 N*m at 3000 rpm are 94.248 kW"),

@@ -185,7 +185,7 @@ def test_a_listing_of_any_names_is_its_own_deck(case: Transmission) -> None:
     assert changed_efficiencies(again, again) == []
 
 
-def test_an_efficiency_that_depends_on_idle_signs_is_told() -> None:
+def test_an_efficiency_that_depends_on_idle_signs_is_reported() -> None:
     """D2 has no flow of power by coincidence; W425 tells that its direction matters."""
     case = """\
 links: 3

@@ -5,7 +5,7 @@ import socket
 from tests.commands import CASES, vstatics
 
 
-def test_a_port_that_is_taken_is_told() -> None:
+def test_a_port_that_is_taken_is_reported() -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
@@ -14,7 +14,7 @@ def test_a_port_that_is_taken_is_told() -> None:
     assert said.gives_nothing(f"port {port} cannot be used: Address already in use")
 
 
-def test_what_cannot_be_served_is_told() -> None:
+def test_what_cannot_be_served_is_reported() -> None:
     for words in (["serve"], ["report", "--watch"]):
         said = vstatics(*words, "gone.yaml")
         assert said.gives_nothing("gone.yaml: error: cannot be read: No such file or directory")

@@ -111,7 +111,7 @@ def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_p
     assert shown[0].inside[-1] == "header"
 
 
-def test_wrong_options_are_told(tmp_path: Path) -> None:
+def test_wrong_options_are_reported(tmp_path: Path) -> None:
     case = write(tmp_path, NASTY_CASE)
     for options, why in {
         "--sections flows": "read `flows`, did you mean `flow`?",
@@ -132,7 +132,7 @@ def test_ports_are_listed_where_there_are_more_than_an_input_and_an_output() -> 
         assert any(one.startswith("Ports") for one in heads) == has_ports
 
 
-def test_what_has_no_room_on_paper_is_told() -> None:
+def test_what_has_no_room_on_paper_is_reported() -> None:
     """By the sizes of sheets: 240 mm are 680 pt."""
     low, high = (f'<svg viewBox="0 0 200 {size}"></svg>' for size in (100, 500))
     flow = Drawn("flow", [Markup(high)] * 4)

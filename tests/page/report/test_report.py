@@ -290,7 +290,7 @@ def test_without_matplotlib_the_page_has_no_pictures(monkeypatch: pytest.MonkeyP
     assert any("There are no pictures" in one.text for one in shown.all("p"))
 
 
-def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unsuitable_picture_is_left_out_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **_of: object) -> bytes:
         raise CaseError("E234", "nothing <moves>")
 

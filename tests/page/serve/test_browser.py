@@ -82,7 +82,7 @@ def test_a_decimal_comma_is_saved_as_a_point_and_what_is_no_number_not_at_all(
     assert here.page.locator(".unread").count() == 0
 
 
-def test_a_wrong_number_is_told_with_its_place_and_the_good_page_stays(
+def test_a_wrong_number_is_reported_with_its_place_and_the_good_page_stays(
     program: Program, window: Callable[[], Window]
 ) -> None:
     here = window()

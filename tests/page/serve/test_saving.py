@@ -69,7 +69,7 @@ def test_numbers_go_into_a_newer_file_only_if_somebody_says_so(tmp_path: Path) -
     assert served.file.read_text("utf-8") == newer.replace("-78/30", "-3")
 
 
-def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: Path) -> None:
+def test_a_file_in_error_is_reported_with_its_place_and_takes_no_numbers(tmp_path: Path) -> None:
     with serving(write(tmp_path)) as served:
         wrong = BOX.replace("carrier, ratio", "carier, ratio")
         served.file.write_text(wrong, "utf-8")
@@ -216,7 +216,7 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
         until(lambda: served.ask("shown").told["state"] == "good")
 
 
-def test_no_room_for_a_file_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_room_for_a_file_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(_file: str, **_: object) -> Any:
         raise OSError(28, "No space left on device")
 

@@ -114,7 +114,7 @@ def test_a_line_gives_on_what_it_gets_and_ends_at_the_output(source: Path | str)
         assert power == pytest.approx(flow.shown.leaving, abs=1e-9)
 
 
-def test_the_sum_of_what_circulates_is_told_where_there_are_several_loops() -> None:
+def test_the_sum_of_what_circulates_is_shown_where_there_are_several_loops() -> None:
     case = CASES / "mercedes-9g.yaml"
     answer = json_answer("flow", case)
     told = {gear["gear"]: gear["lossy"] for gear in answer["gears"]}

@@ -352,7 +352,7 @@ def test_planes_of_a_set_are_in_one_order() -> None:
     assert has_half_section(CoaxialTrain([planes], [(1, 2)], [3, 4, 5], 1, 6))
 
 
-def test_all_outputs_have_their_arrow_and_differentials_are_told_as_sets() -> None:
+def test_all_outputs_have_their_arrow_and_differentials_are_named_as_sets() -> None:
     """Power leaves at each of four wheels; u = -1 is no set of a sun and a larger ring."""
     case = vstatics.loads(
         "links: [engine, front, rear, FL, FR, RL, RR]\noutputs: [FL, FR, RL, RR]\n"

@@ -81,7 +81,7 @@ def test_runs_that_cannot_be_are_counted() -> None:
     assert shown.fails("2 rows of 2 variants (2 invalid)", "duration: read -1, expected a time ab")
 
 
-def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
+def test_a_sample_of_what_there_is_not_is_reported_without_samples_too() -> None:
     Path("lock.yaml").write_bytes(SCENARIO.replace(b"torques.sun:", b"torques.son:"))
     for command in ("simulate", "check"):
         shown = vstatics(command, "lock.yaml")

@@ -107,7 +107,7 @@ def test_columns_have_the_names_of_expressions(form: str) -> None:
     assert np.array_equal(read["torques[set]"], found["torques"]["set"])
 
 
-def test_targets_are_told_where_they_are_asked_for() -> None:
+def test_targets_are_shown_where_they_are_asked_for() -> None:
     assert "targets" not in document()
     Path("lock.yaml").write_text(SCENARIO + "targets: {in: [60, 1e4]}\n", "utf-8")
     met, missed = document()["targets"]
@@ -132,7 +132,7 @@ def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
     )
 
 
-def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
+def test_what_is_in_error_is_reported_at_its_place_and_nothing_is_written() -> None:
     for old, new, said in (
         ("brake: 120", "brakes: 120", "4:12: error: controls: read 'brakes', expected the name"),
         ("box.yaml", "bax.yaml", "1:7: error: bax.yaml cannot be read: No such file"),

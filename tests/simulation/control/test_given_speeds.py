@@ -34,6 +34,13 @@ def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> 
     assert motion.energy.work == pytest.approx(3 * 90**2)
 
 
+def test_a_dog_clutch_that_opens_holds_until_then() -> None:
+    """After 0.5 s, 3 N*m slow 3 kg*m^2 by 0.5 rad/s."""
+    start = "duration: 1\nstart: {speeds: {o: 90}}\nspeeds: {e: 90}\ntorques: {o: -3}\n"
+    motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, open]]}}}}\n", DOG)
+    assert motion.speeds[-1].tolist() == pytest.approx([90.0, 89.5])
+
+
 def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides() -> None:
     """Both sides receive the same impulse P = J w, and w_1 + w_2 = 2*90.
 
@@ -53,7 +60,7 @@ def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides(
     assert motion.energy.impact == pytest.approx((2 * 90 + 2 * 135) * 90 / 2)
 
 
-def test_a_mistake_is_told() -> None:
+def test_a_mistake_is_reported() -> None:
     for text, fault in (
         ("speeds: {e: [[0, 1], [0, 2]]}", "without a jump"),
         ('speeds: {e: "100*(t < 1)"}', "the speed jumps"),
@@ -65,7 +72,7 @@ def test_a_mistake_is_told() -> None:
         assert any(fault in one for one in found), found
 
 
-def test_speeds_that_contradict_each_other_or_are_tied_are_told() -> None:
+def test_speeds_that_contradict_each_other_or_are_tied_are_reported() -> None:
     pair = """inertias: {a: 2, b: 3}
 mechanisms: {pair: {first: a, second: b, ratio: 2}}
 """

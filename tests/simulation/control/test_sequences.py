@@ -73,7 +73,7 @@ sequences:
     assert [step for step, _ in steps_of(motion)][:4] == [1, 2, 1, 2]
 
 
-def test_steps_without_end_at_one_instant_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_steps_without_end_at_one_instant_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(course, "_MOST_STEPS_AT_ONCE", 50)
     mad = 'mad: {repeat: true, steps: [{when: "t >= 1", set: {a: "a + 1"}}]}'
     stopped = simulate(written(f"{REST}set: {{a: 0}}\nsequences: {{{mad}}}\n")).stopped
@@ -140,7 +140,7 @@ def test_a_condition_that_bends_is_true_when_it_is_first(
         assert steps_of(motion) == [(1, pytest.approx(at, abs=1e-9))], when
 
 
-def test_a_mistake_is_told_with_its_place() -> None:
+def test_a_mistake_is_reported_with_its_place() -> None:
     for text, fault in (
         ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]',
          "8:7 sequences.s[1]: read a step with nothing"),
@@ -197,7 +197,7 @@ def test_what_is_no_number_stops_the_run_and_is_named() -> None:
         assert (stopped.id, path_text(stopped.path)) == (identity, path)
 
 
-def test_a_state_that_a_formula_sets_beyond_its_limits_is_told_once() -> None:
+def test_a_state_that_a_formula_sets_beyond_its_limits_is_reported_once() -> None:
     """From -1, its min, on it rises with the time: 20 N*m for 3 s, then t - 4 for 1 s."""
     step = '{when: "t >= 3", wait: 0.5, set: {p: "-10*t"}}'
     states = "states: {p: {start: 20, rate: 0, min: -1}}\n"

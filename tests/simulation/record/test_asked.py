@@ -47,7 +47,7 @@ def test_a_ramp_has_a_jerk_that_ends_with_it() -> None:
     assert jerk == pytest.approx(5.0 * (np.arange(len(jerk)) <= end), abs=1e-7)
 
 
-def test_a_vibration_is_told_at_its_extremes_though_no_point_lies_there() -> None:
+def test_a_vibration_has_rows_at_its_extremes_though_no_point_lies_there() -> None:
     """Speed cos 10 t: -10 sin 10 t, -100 cos 10 t, and of the link between two thirds of that."""
     columns = ("accelerations[o]", "jerks[o]", "accelerations[m]", "jerks[m]", "powers[hard]")
     motion, found = asked(
@@ -225,7 +225,7 @@ def test_slip_power_and_heat_by_the_area_of_a_pack() -> None:
     assert np.isnan(unknown).all()
 
 
-def test_what_there_is_not_is_told() -> None:
+def test_what_there_is_not_is_reported() -> None:
     assert AskedAnswer._fields == tuple(TABLES)  # JSON has a key for each table
     scenario = written(f"duration: 1\n{AT_REST}", WHEEL)
     for column, said in (

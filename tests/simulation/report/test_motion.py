@@ -36,7 +36,7 @@ def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
     assert in_figures(none) == none
 
 
-def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:
+def test_why_a_run_stopped_is_shown_with_its_messages() -> None:
     motion = run()._replace(
         stopped=Problem("E608", "stopped at <b>3 s\x1b"), messages=(Message("N601", "a & b"),)
     )
@@ -113,9 +113,7 @@ def test_other_commands_say_that_it_is_a_scenario() -> None:
         assert said.err.count("error:") == 1
 
 
-def test_what_is_wrong_with_a_scenario_is_told_at_its_place_and_a_run_has_no_single_gear(
-    tmp_path: Path,
-) -> None:
+def test_a_wrong_scenario_is_reported_at_its_place(tmp_path: Path) -> None:
     text, file = SCENARIO.read_text("utf-8"), tmp_path / "run.yaml"
     case = (CASES / "tarasik-set.yaml").as_posix()
     undetermined = text.replace("../tarasik-set.yaml", case).replace(", carrier: 0", "")

@@ -177,7 +177,7 @@ FAULTS = [
 ]
 
 
-def test_a_fault_is_told_once_at_its_place() -> None:
+def test_a_fault_is_reported_once_at_its_place() -> None:
     for text, place, message in FAULTS:
         with pytest.raises(ReadError) as caught:
             scenario(text)
@@ -208,7 +208,7 @@ def test_what_is_no_scenario() -> None:
         assert message in problem.message, text
 
 
-def test_all_faults_are_told_together() -> None:
+def test_all_faults_are_reported_together() -> None:
     with pytest.raises(ReadError) as caught:
         scenario("controls: {B: sqrt(-t), X: 2}\ntorques: {in: x}\nshifts: [{at: -1, to: x}]")
     assert [one.place.line for one in caught.value.problems if one.place] == [4, 4, 5, 6, 6]

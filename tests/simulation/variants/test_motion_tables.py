@@ -93,7 +93,7 @@ def test_a_table_has_a_column_for_each_row() -> None:
     assert np.isnan(without).all()
 
 
-def test_mistakes_are_told() -> None:
+def test_mistakes_are_reported() -> None:
     for text, said in (
         ("heet[brake]", "a run has no table `heet`; did you mean `heat`?"),
         ("brake", "a run has no table `brake`; a name goes in brackets: heat[brake]"),

@@ -67,7 +67,7 @@ gears: {"1": [B]}
     assert teeth.variant([path], [90.0]).scenario.case.mechanisms[0].ratio == -3.0
 
 
-def test_what_there_is_not_is_told_with_its_place() -> None:
+def test_what_there_is_not_is_reported_with_its_place() -> None:
     for text, said in (
         ("control.brake.1.2=1,2", "a key `control`; did you mean `controls`?"),
         ("controls.brake.2.1=1,2", "1:16: error: read `2`, expected the number of an item, 1 to 1"),
@@ -92,7 +92,7 @@ def test_a_unit_may_stand_behind_some_values_and_holds_for_all() -> None:
     assert read_variation("start.speeds.sun [rpm]=500,700", subject()).target == read.target
 
 
-def test_a_key_that_a_document_cannot_have_is_told_before_anything_is_calculated() -> None:
+def test_a_key_that_a_document_cannot_have_is_reported_before_anything_is_calculated() -> None:
     for name, known in (("controls.brake.scal", "scale"), ("start.speeds.sum", "sun")):
         with pytest.raises(ReadError, match=f"did you mean `{known}`"):
             build.plan(subject(), SweepOptions.of(vary=[f"{name}=1,2"]))

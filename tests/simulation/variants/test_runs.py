@@ -48,7 +48,7 @@ def lock_time(torque: float) -> float:
     return SLIP / float(ring @ acceleration)
 
 
-def test_teeth_that_do_not_go_together_are_told_and_the_run_stands() -> None:
+def test_teeth_that_do_not_go_together_are_reported_and_the_run_stands() -> None:
     """Planets of a set want (ring - sun)/2 to be whole; the path is that of a sweep of the case."""
     case = CASE.replace(
         b"mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -1.5}}",
@@ -93,7 +93,7 @@ def test_a_variant_is_the_run_of_its_scenario() -> None:
         assert columns.tolist() == [motion.energy.heat["brake"], motion.energy.work]
 
 
-def test_a_control_above_the_capacity_is_told_once_for_all_runs_that_have_it() -> None:
+def test_a_control_above_the_capacity_is_reported_once_for_all_runs_that_have_it() -> None:
     """Of 100, 115, 130 and 145 N*m three are above 110, however the runs are put together."""
     capacity = CASE.replace(b"brake: [ring, housing]", b"brake: {links: [ring, housing], C}")
     held = subject(case=capacity.replace(b"C}", b"capacity: 110 N*m}"))
@@ -115,7 +115,7 @@ def test_what_cannot_be_is_invalid_and_has_no_numbers() -> None:
     assert np.isnan(made.columns[0]).all()
 
 
-def test_a_scenario_in_error_is_told_at_once() -> None:
+def test_a_scenario_in_error_is_reported_at_once() -> None:
     wrong = SCENARIO.replace(b"sun: 40", b"san: 40")
     with pytest.raises(ReadError, match=r"lock\.yaml:7:"):
         rows("duration=1,2", scenario=wrong)
@@ -213,7 +213,7 @@ def test_without_deviation_samples_are_the_run_itself() -> None:
     assert heat.tolist() == [[simulate(subject().own.scenario).energy.heat["brake"]]] * 2
 
 
-def test_a_sample_of_a_number_that_there_is_not_is_told() -> None:
+def test_a_sample_of_a_number_that_there_is_not_is_reported() -> None:
     for before, after, said in (
         (b"controls.brake.scale", b"controls.brak.scale", "no `brak` in `controls`"),
         (b"torques.sun:", b"torques.son:", "did you mean `sun`?"),

@@ -141,7 +141,7 @@ def test_a_gear_has_one_status_in_all_outputs(status: str, gear: str) -> None:
 
 
 @pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet"])
-def test_the_format_is_told_by_the_suffix_or_by_name(form: str, folder: Path) -> None:
+def test_the_format_is_chosen_by_the_suffix_or_by_name(form: str, folder: Path) -> None:
     pytest.importorskip("pyarrow")
     assert vstatics("sweep", "box.yaml", *VARY, "-o", f"out.{form}").status == 0
     assert vstatics("sweep", "box.yaml", *VARY, "-o", "out", "-f", form).status == 0
@@ -246,7 +246,7 @@ def test_wrong_use_is_2_and_says_how() -> None:
         )
 
 
-def test_what_is_wrong_is_1_and_is_told_with_its_place() -> None:
+def test_what_is_wrong_is_1_and_is_reported_with_its_place() -> None:
     Path("folder.csv").mkdir()
     for arguments, words in {
         "D.ratoi=1": "--vary:1:3: error: read `ratoi`",
@@ -263,7 +263,7 @@ def test_what_is_wrong_is_1_and_is_told_with_its_place() -> None:
         assert not [name for name in names(Path()) if name.endswith(".parts")]
 
 
-def test_a_package_that_is_missing_is_told_before_anything_is_calculated(
+def test_a_missing_package_is_reported_before_anything_is_calculated(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     import importlib.util
@@ -323,7 +323,7 @@ def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> No
     assert heads == ["variant,D1.ratio,status,'-ratio[1]", "variant,D1.ratio,status,-ratio[1]"]
 
 
-def test_a_file_that_a_sweep_file_names_is_told_at_its_place() -> None:
+def test_a_file_that_a_sweep_file_names_is_reported_at_its_place() -> None:
     for text, said in {
         "vary: [D.ratio=-3]\n\ncase: nowhere.yaml\n": "3:7: error: nowhere.yaml cannot be read",
         'case: "a\\0b"\n': r"1:7: error: read 'a\x00b', expected the name of a file",

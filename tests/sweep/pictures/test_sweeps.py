@@ -134,7 +134,7 @@ def test_a_column_can_be_named_without_its_unit() -> None:
     assert plot_sweep(sweep, x="u", y="v [kW]")._repr_svg_()
 
 
-def test_what_cannot_be_drawn_is_told(tmp_path: Path) -> None:
+def test_what_cannot_be_drawn_is_reported(tmp_path: Path) -> None:
     without = sweep_of({"x": [np.nan], "z": [1.0]}, "x")
     wrong: list[tuple[object, WrittenSweep, dict[str, Any], str]] = [
         (map_, saddle(), {"z": "zz"}, r"no column `zz`; did you mean `z`\?"),
@@ -263,7 +263,7 @@ def test_a_picture_from_python_is_that_of_the_command() -> None:
         assert repr(picture) == f"<SweepPicture {kind} of 15 rows>"
 
 
-def test_another_kind_and_another_column_are_told() -> None:
+def test_another_kind_and_another_column_are_reported() -> None:
     with pytest.raises(ValueError, match="no picture 'mpa' of a sweep; did you mean `map`"):
         sweep(DIFFERENTIAL, GRID, out=OUT).plot("mpa")
     with pytest.raises(CaseError, match=r"no column `efficiency\[1\]`"):

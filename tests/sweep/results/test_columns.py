@@ -61,7 +61,7 @@ def test_what_is_asked_for_twice_or_varied_is_written_once() -> None:
     assert headings("D1.ratio", []) == ("D1.ratio",)
 
 
-def test_all_problems_of_the_columns_are_told_up_to_a_limit() -> None:
+def test_all_problems_of_the_columns_are_reported_up_to_a_limit() -> None:
     text = "ratio, rato, speeds[in,'x,y'], max(1,efficency)"
     with pytest.raises(ReadError) as caught:
         read_columns(text, SET, VARIED)

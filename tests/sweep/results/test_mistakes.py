@@ -75,7 +75,7 @@ MISTAKES = (
 """Texts, the rest of each from where its fault is marked, and what is told."""
 
 
-def test_a_mistake_is_told_at_its_place() -> None:
+def test_a_mistake_is_reported_at_its_place() -> None:
     for text, rest, message in MISTAKES:
         assert message in problem(text).message, text
         assert marked(text) == rest
@@ -84,7 +84,7 @@ def test_a_mistake_is_told_at_its_place() -> None:
     assert number("1<=" * 600 + "1") == 1
 
 
-def test_a_row_whose_name_two_devices_have_is_told_by_its_number() -> None:
+def test_a_row_whose_name_two_devices_have_is_named_by_its_number() -> None:
     sets = [Mechanism(1, 2, 3, -2.0, name="A")]
     case = Transmission(3, [ShiftElement(2, 0, "A")], sets, [Gear([1])])
     with pytest.raises(ReadError, match="two rows `A`, expected #1 or #2"):
@@ -114,7 +114,7 @@ def test_any_text_is_read_or_refused_at_a_place(text: str) -> None:
                 assert 1 <= told.place.column <= len(text) + 1
 
 
-def test_quotes_are_told_where_they_belong() -> None:
+def test_quotes_are_reported_where_they_belong() -> None:
     case = Transmission(2, [], [Mechanism(1, 2, 0, -2.0, name="1")], [Gear()])
     with pytest.raises(ReadError, match=r'in quotes: "1"\.ratio \[E105\]$'):
         read_expression("1.ratio < -5", case, [], "--where")

@@ -13,7 +13,7 @@ from vstatics.core.elements.part_numbers import own_part_number, part_numbers, w
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_a_number_that_a_sweep_varies_is_told_by_its_path(path: Path) -> None:
+def test_a_number_that_a_sweep_varies_is_named_by_its_path(path: Path) -> None:
     """The variant is made by the sweep; what else it changes follows from the number."""
     case = readers.load(path)
     numbers = part_numbers(case)

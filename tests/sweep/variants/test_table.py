@@ -85,7 +85,7 @@ def test_a_table_as_people_write_it() -> None:
     assert table.block(0, 1).tolist() == [[3, 0, 1]]
 
 
-def test_what_is_wrong_is_told_with_its_place() -> None:
+def test_what_is_wrong_is_reported_with_its_place() -> None:
     unknown = "D1.ratio: read `x`, expected a number or a calculation such as -96/39"
     for text, line, column, words in (
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
@@ -123,7 +123,7 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
         assert (found_line, found_column) == (line, column), text
 
 
-def test_all_that_is_wrong_is_told_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_all_that_is_wrong_is_reported_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     told = refusal("D1.ratio,1.ratio\nx,y\n1,2\n3\n")
     assert [place[:2] for place in told] == [(2, 1), (2, 3), (4, 2)]
     told = refusal("D9.ratio,D1.ratio,D8.ratio\n")

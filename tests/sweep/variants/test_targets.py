@@ -65,7 +65,7 @@ def assert_told(column: int, words: str, vary: str, out: str) -> None:
 
 
 @needs("torsion")
-def test_what_is_wrong_is_told_with_its_column() -> None:
+def test_what_is_wrong_is_reported_with_its_column() -> None:
     for text, column, words in (
         ("P.stiffness=1", 1, "`P` has no `stiffness` in the case: give it one, so that it can"),
         ("#2.damping=1", 1, "`#2` has no `stiffness`"),

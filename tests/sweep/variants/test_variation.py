@@ -77,7 +77,7 @@ def test_values() -> None:
         assert read_variation(f"D1.ratio={text}", CASE).values == Span(-0.9, -0.7)
 
 
-def test_what_is_wrong_is_told_with_its_column() -> None:
+def test_what_is_wrong_is_reported_with_its_column() -> None:
     for text, column, words in (
         ("D9.ratio=1", 1, "no mechanism `D9`, expected one of D1, D.2=x, 1"),
         ("  #4.ratio=1", 3, "expected the number of a mechanism, #1 to #3"),
@@ -110,7 +110,7 @@ def test_what_is_wrong_is_told_with_its_column() -> None:
         assert found == column, text
 
 
-def test_every_wrong_number_of_a_list_is_told_up_to_a_limit() -> None:
+def test_every_wrong_number_of_a_list_is_reported_up_to_a_limit() -> None:
     _, messages = refusal("D1.ratio=a,1,b")
     assert [line.partition(",")[0] for line in messages.split("\n")] == ["read `a`", "read `b`"]
     assert len(refusal("D1.ratio=" + "x" * 1000)[1]) < 200

@@ -42,7 +42,7 @@ def test_what_gearboxes_have_can_be_asked_for() -> None:
         check_box_search(one)
 
 
-def test_a_mistake_is_told_with_its_option() -> None:
+def test_a_mistake_is_reported_with_its_option() -> None:
     for given, told in (
         ({"sets": 0}, "sets: read 0, expected 1 to"),
         ({"meshed": 5}, "meshed: read 5, expected 0 to 4"),
@@ -72,7 +72,7 @@ def test_a_mistake_is_told_with_its_option() -> None:
             check_box_search(search(**given))
 
 
-def test_several_mistakes_are_told_together() -> None:
+def test_several_mistakes_are_reported_together() -> None:
     with pytest.raises(CaseError) as error:
         check_box_search(search(meshed=9, tolerance=2.0, targets=(0.0, math.inf)))
     paths = [one.path for one in error.value.problems]

@@ -127,7 +127,7 @@ def test_order_is_by_loss_then_torque() -> None:
     assert [one.found.box.held for one in found] == [2, 1, 0, 3]
 
 
-def test_what_is_found_twice_is_told_once() -> None:
+def test_what_is_found_twice_is_listed_once() -> None:
     boxes = []
     for seed in range(6):
         box = renamed(ZF_8HP, seed)

@@ -70,7 +70,7 @@ def refused(text: bytes) -> ReadError:
     return caught.value
 
 
-def test_what_is_wrong_is_told_where_it_is() -> None:
+def test_what_is_wrong_is_reported_where_it_is() -> None:
     documents: dict[str, Any] = {}
     for said, change in WRONG.items():
         documents[said] = many(3)
@@ -91,7 +91,7 @@ def test_what_is_wrong_is_told_where_it_is() -> None:
     assert len(refused(json.dumps(document).encode()).problems) == 20
 
 
-def test_a_case_that_is_none_is_told_with_its_box() -> None:
+def test_a_case_that_is_none_is_reported_with_its_box() -> None:
     document = many(2)
     document["boxes"][1]["case"] = {"links": 3}
     with pytest.raises(ReadError, match=r"case of box 2: .*mechanisms"):

@@ -179,7 +179,7 @@ def test_freewheels_hold_or_the_gear_is_left_out(tmp_path: Path) -> None:
     assert [gear.name for gear in load(gears).gears] == ["C"]
 
 
-def test_gears_that_leave_links_free_are_left_out_and_told(tmp_path: Path) -> None:
+def test_gears_that_leave_links_free_are_left_out_and_named(tmp_path: Path) -> None:
     """With all gears free they are taken; a second set is held by D alone."""
     box, gears = tmp_path / "box.yaml", tmp_path / "gears.yaml"
     box.write_text(FREE, "utf-8")
@@ -227,9 +227,7 @@ def test_wrong_use() -> None:
         assert said(BELAZ, *options).is_wrong_use(message)
 
 
-def test_what_cannot_be_done_is_told_with_what_helps(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_cannot_be_done_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     done = said(*DRIVELINE)
     assert done.fails("208 shift elements have 75760620 combinations", "see --dry-run")
     done = said(BELAZ, "--shift-elements", "auto", "--engaged", "13", "--at-most", "100000000")

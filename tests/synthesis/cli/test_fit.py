@@ -77,7 +77,7 @@ def test_shared_planets_are_written_as_mechanisms(tmp_path: Path) -> None:
     assert solve(load(file)).ratio.tolist() == pytest.approx(targets, rel=5e-3)
 
 
-def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
+def test_planet_ratios_that_are_left_out_are_listed(tmp_path: Path) -> None:
     """That of P1 stays with its ratio; P2 has -1.4, not (K + 1)/2 as a plain set; P3 just that."""
     file, fitted = tmp_path / "box.yaml", tmp_path / "fitted.yaml"
     case = on_own_links(load(BELAZ)).case
@@ -104,7 +104,7 @@ def test_the_dry_run_says_what_gears_can_have() -> None:
         assert "1e-300 " in said("--ratios", "2=1e-300", *more).out
 
 
-def test_wrong_use_is_told() -> None:
+def test_wrong_use_is_reported() -> None:
     for options, message in (
         ((), "Missing option '--ratios'"),
         (("--ratios", "4.70,3.13"), "expected GEAR=RATIO with commas between"),

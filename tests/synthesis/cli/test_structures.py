@@ -110,7 +110,7 @@ def test_a_case_in_every_format() -> None:
     assert "ratio: -2.0857" in said["yaml"].out
 
 
-def test_ratios_that_are_not_given_and_sets_that_turn_as_one_body_are_told() -> None:
+def test_ratios_that_are_not_given_and_sets_that_turn_as_one_body_are_reported() -> None:
     """Sets 1 and 2 share three links; the case is one of `--all`."""
     said = vstatics("synth", "case", "0-1-2-0-3-1", "--input", "L0", "--output", "L1")
     assert said.status == 0

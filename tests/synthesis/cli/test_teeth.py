@@ -100,7 +100,7 @@ def test_few_teeth_and_a_target_far_away() -> None:
     assert made["solutions"]
 
 
-def test_the_ranges_hold_the_own_teeth_and_what_is_beyond_them_is_told() -> None:
+def test_the_ranges_hold_the_own_teeth_and_what_is_beyond_them_is_reported() -> None:
     """P3 of BelAZ-7516 has 15 teeth on sun and planet; no other has fewer than 17."""
     answer = said("--ratios", "2=20,P4=-2", "--dry-run", "-f", "json")
     asked = answer.json

@@ -70,7 +70,7 @@ def test_one_set_with_nothing_and_with_too_much_engaged() -> None:
     assert freewheel.ratio == pytest.approx(3.5)  # it counts as one that holds
 
 
-def test_free_links_are_told() -> None:
+def test_free_links_are_named() -> None:
     """A second set hangs on a link: as long as nothing holds it, two of its speeds are open."""
     elements = [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2), ShiftElement(1)]
     case = Transmission(5, elements, [SIMPLE, Mechanism(4, 5, 3, -2)], [Gear()], output=3)
@@ -188,7 +188,7 @@ def test_ratios_of_any_size() -> None:
     assert found[:4] == (["F1", "F2", "F3"], "direct", 1.0, True)
 
 
-def test_what_cannot_be_tried_is_told() -> None:
+def test_what_cannot_be_tried_is_reported() -> None:
     """399 links have 80 thousand pairs: nothing of that size is made before it is refused."""
     sets = [Mechanism(2 * n - 1, 2 * n, 2 * n + 1, -2) for n in range(1, 200)]
     long = Transmission(399, [], sets, [Gear()])

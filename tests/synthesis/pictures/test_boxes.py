@@ -122,7 +122,7 @@ def test_numbers_of_many_boxes_cover_no_other_and_no_point() -> None:
 
 
 @pytest.mark.slow
-def test_boxes_without_figures_have_no_point_but_are_told() -> None:
+def test_boxes_without_figures_have_no_point_but_are_named() -> None:
     document = many(3)
     document["boxes"][0] |= {"loss": None, "torque": None}
     said = texts(drawn(document, most=1))

@@ -152,7 +152,7 @@ def test_where_there_is_a_choice_the_case_decides() -> None:
     assert found.ratios["P3"] == -3.0
 
 
-def test_what_cant_be_is_told() -> None:
+def test_what_cant_be_is_reported() -> None:
     for ratios, options, said in (
         ({"7": -7.0}, {}, "no gear `7`; gears are 1, 2, 3, 4, 5, 6, R1, R2"),
         ({"R3": 2.0}, {}, "did you mean `3`?"),
@@ -273,7 +273,7 @@ def test_numbers_of_any_size_do_no_harm() -> None:
         assert all(math.isfinite(ratio) and ratio for ratio in found.ratios.values())
 
 
-def test_a_ratio_of_minus_1_is_kept_and_told_where_it_is_in_the_way() -> None:
+def test_a_ratio_of_minus_1_is_kept_and_reported_where_it_is_in_the_way() -> None:
     case = SET.replace(mechanisms=[Mechanism(1, 2, 3, -1.0)])
     found = fit(case, {"1": 4.0})
     assert (found.ratios["D1"], found.unmet) == (-1.0, ["1"])

@@ -175,7 +175,7 @@ def test_what_is_found_leaves_nothing_to_check(name: str) -> None:
         assert solve(made).ratio.tolist() == pytest.approx([*solution.gears.values()])
 
 
-def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
+def test_ranges_that_keep_all_wishes_from_being_met_together_are_reported() -> None:
     """Gear 2 is 1 + q, gear 1 (1 + p)(1 + q): met they need p = 1.5, sets have 93/59 at least.
 
     The largest |ln| is least where both gears share the factor; with more teeth in the

@@ -40,7 +40,7 @@ def test_one_gear_is_as_a_file_of_numbers() -> None:
     assert said("--gear", "2", "-f", "json", text=tabbed).json["reduced"] == made["reduced"]
 
 
-def test_without_a_gear_all_are_told_also_those_without_such_a_torque() -> None:
+def test_without_a_gear_all_are_listed_also_those_without_such_a_torque() -> None:
     answer = said("-f", "json", "--rate", "50")
     assert answer.status == 1
     *four, neutral, loose = answer.json["gears"]
@@ -105,7 +105,7 @@ def test_every_format_can_be_written(suffix: str, tmp_path: Path) -> None:
         assert file.stat().st_size > 0
 
 
-def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
+def test_a_case_without_a_dump_is_reported(tmp_path: Path) -> None:
     answer = vstatics("torsion", "dump", MZKT)
     assert answer.fails("the case has no `dump`, expected the links of engine `J1`")
     file = tmp_path / "case.yaml"
@@ -114,7 +114,7 @@ def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
     assert f"{file}:1:1: error: dump: the case has no `dump`" in answer.err
 
 
-def test_all_that_is_wrong_in_a_file_of_numbers_is_told_in_one_run() -> None:
+def test_all_that_is_wrong_in_a_file_of_numbers_is_reported_in_one_run() -> None:
     answer = said(text=GOOD.replace("16.6", "0").replace("0.538", "-1"))
     assert answer.gives_nothing("<stdin>:1:5: error: J1", "<stdin>:2:5: error: J2")
     large = GOOD.replace("3362", "1e308").replace("71.3e-5", "1e308").replace("81.7", "1e308")

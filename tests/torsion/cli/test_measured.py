@@ -61,7 +61,7 @@ def test_wrong_use() -> None:
         assert said(*options).is_wrong_use(), options
 
 
-def test_what_the_case_does_not_have_is_told_with_its_place() -> None:
+def test_what_the_case_does_not_have_is_reported_with_its_place() -> None:
     answer = said("damping", "--decrements", "tyer=.1")
     assert answer.is_wrong_use("no elastic component `tyer`; did you mean `tyre`?")
     text = "links: 2\ninertias: {1: 1}\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\n"

@@ -118,7 +118,7 @@ def test_a_torque_that_is_zero_in_neutral_is_largest_at_no_speed() -> None:
     assert " P 0.0000 - " in " ".join(text.split())
 
 
-def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
+def test_a_resonance_that_nothing_damps_has_no_bound_and_is_reported() -> None:
     call, damped = OF_MASS, MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
     told = said(*call, "100:400:4", text=MASS).err
     assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
@@ -146,7 +146,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
     assert [row[-1] for row in others] == ["", ""]
 
 
-def test_a_fault_of_a_table_is_told_at_its_line_and_writes_nothing() -> None:
+def test_a_fault_of_a_table_is_reported_at_its_line_and_writes_nothing() -> None:
     call = ("response", *AT, "--torque", "engine.csv", *SPEED, "-o", "new.csv")
     Path("engine.csv").write_text("order,amplitude\n2,1 kN*m\n", "utf-8")
     answer = said(*call, text=GOOD)

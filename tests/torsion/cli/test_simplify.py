@@ -66,7 +66,7 @@ WRITTEN = [
 
 
 @pytest.mark.parametrize(("text", "options"), WRITTEN)
-def test_the_written_case_runs_and_vibrates_as_told(text: str, options: tuple[str, ...]) -> None:
+def test_the_written_case_runs_and_vibrates_as_stated(text: str, options: tuple[str, ...]) -> None:
     for output in ("simple.yaml", "simple.json"):
         answer = said("simplify", *options, "-o", output, "-f", "json", text=text)
         assert (answer.status, names()) == (0, [output])

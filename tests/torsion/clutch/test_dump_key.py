@@ -117,7 +117,7 @@ def test_the_schema_takes_what_is_read_and_written() -> None:
     assert not validator.is_valid(yaml.safe_load(CASE.replace("M_C0: 142, ", "")))
 
 
-def test_what_is_wrong_is_told_with_its_place() -> None:
+def test_what_is_wrong_is_reported_with_its_place() -> None:
     for old, new, at, message in (
         (f"{{{DUMP}}}", "[1]", "[1]", "dump: read a list, expected a mapping with `J1`, `J2`"),
         ("[engine]", "[engin]", "engin]", "dump.J1[1]: read 'engin', expected the name of a link"),

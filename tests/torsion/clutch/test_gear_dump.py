@@ -104,7 +104,7 @@ def test_a_given_compliance_is_on_the_link_and_without_grip_tyres_always_grip() 
     assert (given.M_phi, made.case) == (math.inf, "A2")
 
 
-def test_links_that_are_forgotten_are_told() -> None:
+def test_links_that_are_forgotten_are_named() -> None:
     """But not the axle: it stands, and bears the reaction."""
     text = car("ВАЗ-2101").replace("J3: [input shaft, propshaft]", "J3: [propshaft]")
     told = "note: links that rotate with propshaft are in none of J1 to J5: input shaft [N505]"
@@ -151,7 +151,7 @@ def test_why_there_is_no_torque() -> None:
         assert found.error.startswith(error)
 
 
-def test_numbers_that_give_no_torque_are_told() -> None:
+def test_numbers_that_give_no_torque_are_reported() -> None:
     found = only(car("ВАЗ-2101").replace("M_C0: 142.0", "M_C0: 1e308"))
     assert found.made is None
     assert "expected a finite number above 0" in found.error or "too large" in found.error

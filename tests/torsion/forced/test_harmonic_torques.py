@@ -276,7 +276,7 @@ def test_torques_on_several_cranks() -> None:
 HEADS = b"order,amplitude\n"
 
 
-def test_a_fault_of_a_table_is_told_with_its_line() -> None:
+def test_a_fault_of_a_table_is_reported_with_its_line() -> None:
     for text, message in (
         (b"order\n2\n", "1:1: error: `amplitude [N*m]` is missing, expected a table"),
         (b"order,torque\n", "1:1: error: read the heading 'torque', expected `order`, `amplitude"),

@@ -124,7 +124,7 @@ def test_the_first_gear_is_shown_unless_others_are_asked_for() -> None:
     assert [gear.name for gear in modes_of(numbers, [1])] == ["2"]  # by number, not by name
 
 
-def test_damping_is_told_of_what_is_damped() -> None:
+def test_damping_is_stated_of_what_is_damped() -> None:
     for results, is_told in ((tied(), True), (chain(2), False)):
         assert any("damping" in one for one in texts(results, "modes")) == is_told
 

@@ -29,7 +29,7 @@ def test_numbers_may_have_units() -> None:
     assert points == SpectrumPoints(((0.0, 1.0), (2.0, 3.0)))
 
 
-def test_a_fault_is_told_at_its_place() -> None:
+def test_a_fault_is_reported_at_its_place() -> None:
     for text, place, message in (
         ("{}", "1:1", "read none of them, expected one of"),
         ("{white: 1, points: [[0, 1], [1, 2]]}", "1:1", "read `white` and `points`"),

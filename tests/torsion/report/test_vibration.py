@@ -89,9 +89,7 @@ def test_only_what_vibrates_has_the_section(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_without_scipy_the_rest_is_written_and_it_is_told(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_without_scipy_the_rest_is_written(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     without("scipy", monkeypatch)
     pip = 'pip install ".[torsion]" in the source folder, or pip install scipy'
     needs = f"the section on vibration needs the package scipy: {pip}"

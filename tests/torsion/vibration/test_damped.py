@@ -31,7 +31,7 @@ def test_one_mass(damping: Damping | float) -> None:
     assert mode.damped_frequency == pytest.approx(10 * root.imag / (2 * math.pi))
 
 
-def test_numbers_beyond_floats_are_told() -> None:
+def test_numbers_beyond_floats_are_reported() -> None:
     """Stiffness times loss factor, or a damping by an inertia of 0.05, is above 1.8e308."""
     lossy = (9e3, Damping(loss_factor=1e307)), (1e200, Damping(loss_factor=1e200))
     for stiffness, damping in (*lossy, (9e3, Damping(1e308))):

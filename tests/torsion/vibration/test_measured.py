@@ -110,7 +110,7 @@ def test_dampings_give_the_decrement_back() -> None:
     assert made.notes == []
 
 
-def test_dampings_of_the_case_are_told() -> None:
+def test_dampings_of_the_case_are_listed() -> None:
     """A loss factor adds ``pi * loss factor`` by its share, a damping K ``pi E omega K``, (П2.3)."""
     own = mode(loads(DRIVELINE), "4")
     for written, added in (("{loss_factor: 0.1}", 0.1), ("0.3", 84e-5 * own.omega * 0.3)):

@@ -68,7 +68,7 @@ def test_nor_among_those_of_what_is_geared_to_the_output(link: int, speed: float
             assert text.startswith(f"{link} has {own:.4g} kg*m^2 by the speed of the output")
 
 
-def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
+def test_a_number_without_its_unit_is_reported_where_no_part_is_as_large() -> None:
     """Tyres of the largest dumpers have a radius of 2 m; motors of cars turn at 20,000 rpm.
 
     Engines in Formula 1 are limited to 15,000 rpm; diesel engines of lorries turn at 1800 rpm.

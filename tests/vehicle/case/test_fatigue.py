@@ -44,7 +44,7 @@ def test_written_and_read_it_is_the_same() -> None:
         check_deck(case)
 
 
-def test_what_is_wrong_is_told_where_it_stands() -> None:
+def test_what_is_wrong_is_reported_where_it_stands() -> None:
     for keys, identity, at in (
         (f"diameter: .04, section_modulus: 4e-6, {GIVEN}", "E881", "shaft"),
         (GIVEN, "E881", "shaft"),

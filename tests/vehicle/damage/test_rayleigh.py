@@ -42,7 +42,7 @@ def test_the_integral_by_a_sum(exponent: float, threshold: float) -> None:
         assert rayleigh_life(STEEL, deviation)[:2] == (0.0, None)
 
 
-def test_a_life_is_told_up_to_a_logarithm_of_700() -> None:
+def test_a_life_is_stated_up_to_a_logarithm_of_700() -> None:
     """Without a threshold the mean of s^2 is 2 D: of exponent 2, life = (endurance/D)^2/2."""
     below, above = (
         Fatigue(math.sqrt(2) * math.exp(logarithm / 2), 2, 1.0, threshold=0.0)

@@ -145,7 +145,7 @@ def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
     assert made.energy.engine == made.energy.wheels == made.distance == 0
 
 
-def test_elements_that_carry_too_much_are_told_with_their_steps() -> None:
+def test_elements_that_carry_too_much_are_reported_with_their_steps() -> None:
     """Clutch 1 bears what the engine gives, here nothing turns but the car."""
     steps = trace((0, 10, "1"), (2, 12, "1"), (4, 18, "1"), (6, 18, "2"), (8, 18, "2"))
     bare = CASE.replace(inertias={}, load=Load(None, 10.0))
@@ -169,7 +169,7 @@ def test_from_rest_to_rest_inertias_take_what_goes_at_shifts() -> None:
     assert made.energy.inertias == pytest.approx(change * (8**2 - 5**2), rel=1e-12)
 
 
-def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
+def test_a_gear_that_drives_nothing_is_reported_at_its_row() -> None:
     case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
     for name in ("tied", "none"):
         with pytest.raises(CaseError, match=f"gear {name} has no ratio") as caught:
@@ -218,7 +218,7 @@ def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
         (Gear(speeds={}, balance=BatteryBalance([(1, 0.9), (2, 0.9)], -1.0)), "a balance"),
     ],
 )
-def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
+def test_where_machines_drive_too_nothing_of_the_vehicle_is_reported(gear: Gear, why: str) -> None:
     """Their power is none of the engine's: energies would not close."""
     alone = performance(SET)
     case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
@@ -240,7 +240,7 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why
     ("names", "forward", "ids"),
     [(["R1", "F2", "2R", "F1"], "F2", []), (["a", "b", "c", "d"], "c", ["N417"])],
 )
-def test_as_many_gears_both_ways_are_told_apart_by_their_names(
+def test_as_many_gears_both_ways_are_distinguished_by_their_names(
     names: list[str], forward: str, ids: list[str], turned: int
 ) -> None:
     """Whichever way the wheels turn and whatever stands first, as in the design table."""
@@ -394,7 +394,7 @@ def test_fuel_is_bilinear() -> None:
 TORQUE = "speed [rpm],torque [N*m],fuel"
 
 
-def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
+def test_faults_of_files_are_reported_with_their_place(files: Path) -> None:
     for file, text, said in (
         ("t.csv", "time [s],speed [km/h]\n", "no row below the headings"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),

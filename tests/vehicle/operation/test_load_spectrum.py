@@ -136,7 +136,7 @@ def test_random_trains_lose_what_enters_and_does_not_leave(seed: int) -> None:
 
 
 @pytest.mark.parametrize("load", [400.0, 150.0])
-def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(load: float) -> None:
+def test_elements_above_their_capacities_are_reported_at_their_rows(load: float) -> None:
     """A held ring bears 2.5 times the sun, as in `run` that without losses, which is larger.
 
     Its capacity is in N*m, told by any load.
@@ -158,7 +158,7 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
     assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
 
 
-def test_faults_of_a_table_are_told_with_their_place(folder: Path) -> None:
+def test_faults_of_a_table_are_reported_with_their_place(folder: Path) -> None:
     for text, said in (
         ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:11: error: speed: its unit is missing"),
         ("time,gear,speed [kg],torque [N*m]\n1,1,2,3\n", "speed: read the unit 'kg'"),

@@ -114,7 +114,7 @@ def test_a_slope_is_named_where_its_line_leaves_the_panel() -> None:
     [(None, "E427", "no `vehicle`"), (CAR._replace(engine=()), "E442", "no `engine`")],
 )
 @pytest.mark.parametrize("kind", ["traction", "sawtooth"])
-def test_what_is_missing_is_told(car: object, id_: str, said: str, kind: str) -> None:
+def test_what_is_missing_is_reported(car: object, id_: str, said: str, kind: str) -> None:
     with pytest.raises(CaseError, match=said) as caught:
         picture(box([2.0], vehicle=car), kind, Style())  # type: ignore[arg-type]
     assert caught.value.problems[0].id == id_

@@ -87,7 +87,7 @@ def _control(curve: Parsed) -> ByForm:
                 KeyShape(
                     "dog",
                     _points(_TIME, _DOG_STATE, "time, state", "times"),
-                    "Times from which the dog clutch is closed or open; open before.",
+                    "Times from which the dog clutch is closed or open; before, the opposite.",
                     examples=([[1.5, "closed"]],),
                 ),
             ),

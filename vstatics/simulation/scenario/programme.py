@@ -256,9 +256,9 @@ def _controlled(control: object, element: ShiftElement, case: Transmission) -> P
     times: list[float] = []
     held: list[float] = []
     for time, closed in getattr(control, "points", ()):
-        before = held[-1] if held else 0.0
+        capacity, opposite = (math.inf, 0.0) if closed else (0.0, math.inf)
         times += [time, time]
-        held += [before, math.inf if closed else 0.0]
+        held += [held[-1] if held else opposite, capacity]
     if not times:
         return OPEN
     first = 0 if times[0] > 0 else 1

@@ -50,7 +50,7 @@ def test_a_failing_run_leaves_the_old_file(folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("folder")
-def test_what_cannot_be_written_is_told() -> None:
+def test_what_cannot_be_written_is_reported() -> None:
     for target, reason in (
         ("nowhere/deep/new", "there is no directory nowhere/deep; create it"),
         ("", "Is a directory"),

@@ -127,7 +127,7 @@ def test_a_picture_shows_the_gears_that_are_asked_for() -> None:
     assert said.fails("this picture shows one gear at a time")
 
 
-def test_gears_may_be_several_and_each_is_told_once() -> None:
+def test_gears_may_be_several_and_each_is_listed_once() -> None:
     for command in ("flow", "explain"):
         said = vstatics(command, MZKT, "--gear", "6", "--gear", "2", "--gear", "6", "-f", "json")
         assert [one["gear"] for one in said.json["gears"]] == ["6", "2"]

@@ -87,7 +87,7 @@ def test_names_of_directories_and_of_files_in_them() -> None:
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_failures_are_told_where_they_occur_and_summed_up_at_the_end(jobs: int) -> None:
+def test_failures_are_reported_where_they_occur_and_summed_up_at_the_end(jobs: int) -> None:
     Path("in/bad.yaml").write_text(BAD.replace("third: 3", "third: x"), "utf-8")
     said = vstatics("run", *ALL, "nowhere.dat", "-f", "json", "-o", "out", "-j", jobs)
     assert (said.status, shown("out")) == (1, ["mzkt.json", "neutral.json", "tied.json"])

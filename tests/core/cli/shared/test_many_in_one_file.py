@@ -117,7 +117,7 @@ def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
     assert_goes_on(said, "jsonl", cases, "3 of 3 cases calculated (2 of them before)")
 
 
-def test_nothing_to_go_on_with_is_told_and_nothing_is_left() -> None:
+def test_nothing_to_go_on_with_is_reported_and_nothing_is_left() -> None:
     said = vstatics("run", *NAMES, "-o", "all.jsonl", "--resume")
     assert (said.status, "there is no earlier run to resume; every case" in said.err) == (0, True)
     assert names() == ["all.jsonl", "bad.yaml", "drawer", "neutral.yaml"]

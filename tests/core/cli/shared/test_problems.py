@@ -93,7 +93,7 @@ def test_a_quiet_sweep_counts_where_variants_are_unlike() -> None:
     assert "2 tied up" in said.err
 
 
-def test_errors_of_a_text_are_told_without_its_warnings() -> None:
+def test_errors_of_a_text_are_reported_without_its_warnings() -> None:
     """A deck that is cut off before its last field, with a link 9 of 6; then only cut off."""
     cut_off = MZKT.read_text("utf-8").rpartition("KM Z(I)")[0]
     deck = cut_off.replace("1 1 4", "1 1 9", 1).encode()

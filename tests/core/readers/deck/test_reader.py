@@ -140,7 +140,7 @@ def test_results_end_the_input() -> None:
     assert "KJG: another case begins here, expected a single case in a file" in error
 
 
-def test_all_errors_are_told_in_the_order_of_the_text() -> None:
+def test_all_errors_are_reported_in_the_order_of_the_text() -> None:
     text = published("2 2 3 5 4", "2 2 3 7 4").replace("-.2461Е+01", "x")
     text = text.replace(".9400Е+00", ".9x").replace(".9700Е+00", "1.97")
     text = text.replace("3 4\n3 5", "3 4\n3 3")

@@ -73,7 +73,7 @@ NO_NUMBERS = {
 }
 
 
-def test_what_is_no_number_is_told() -> None:
+def test_what_is_no_number_is_reported() -> None:
     for text, words in NO_NUMBERS.items():
         with rejects(ValueError, words):
             calculated(text)

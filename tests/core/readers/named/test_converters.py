@@ -44,7 +44,7 @@ FAULTS = {
 }
 
 
-def test_a_fault_is_told_at_its_place() -> None:
+def test_a_fault_is_reported_at_its_place() -> None:
     for change, said in FAULTS.items():
         with pytest.raises(ReadError, match=f":{said}"):
             loads(CASE.replace(*change))

@@ -72,7 +72,7 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )
-def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
+def test_a_wrong_file_is_reported_at_its_place(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "drag.csv").write_text(text, "utf-8")
     with rejects(ReadError, "case.yaml:3:", " error: drag.b: ", said):
         load(case_of(tmp_path, "{file: drag.csv}"))
@@ -113,7 +113,7 @@ def test_a_wrong_law_is_rejected(tmp_path: Path, drag: str, efficiency: str, sai
         load(case_of(tmp_path, drag, efficiency))
 
 
-def test_what_depends_without_a_load_is_told_at_its_place() -> None:
+def test_what_depends_without_a_load_is_reported_at_its_place() -> None:
     text = CASE.format(drag="1 + w", efficiency="1")
     text = text.replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
     with pytest.raises(VstaticsError, match=r":2:8: error: drag.b: a drag that depends on"):

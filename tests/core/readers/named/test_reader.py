@@ -121,7 +121,7 @@ def test_files_that_are_not_texts_or_mappings_are_rejected(file: str) -> None:
         assert "expected a case" in problem.message
 
 
-def test_all_faults_are_told_in_one_run() -> None:
+def test_all_faults_are_reported_in_one_run() -> None:
     """A mistyped key is read as what was meant, so that no other fault hides behind it."""
     text = DIFFERENTIAL.replace("-2.5", "x").replace("[F2]", "[F9]").replace("[1, 2]", "[1, 8]")
     text = text.replace("gears:", "gaers:")
@@ -174,7 +174,7 @@ def test_a_number_is_decimal_or_a_calculation() -> None:
         assert problem.message.startswith("mechanisms.D1.ratio: read "), text
 
 
-def test_no_more_errors_are_told_than_can_be_read() -> None:
+def test_no_more_errors_are_reported_than_can_be_read() -> None:
     problems = errors("".join(f"key{n}: 1\n" for n in range(1000)))
     assert len(problems) == 101
     assert str(problems[-1]) == "case.yaml: error: too many errors, the rest is not read [E108]"

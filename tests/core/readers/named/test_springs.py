@@ -167,13 +167,13 @@ FAULTS = {
 }
 
 
-def test_one_fault_is_told_once() -> None:
+def test_one_fault_is_reported_once() -> None:
     for text, said in FAULTS.items():
         [told] = [one for one in messages(text) if ": error: " in one]
         assert said in told
 
 
-def test_a_link_that_one_spring_alone_names_is_told() -> None:
+def test_a_link_that_one_spring_alone_names_is_reported() -> None:
     [told] = messages("""
 inertias: {engine: 1, disc: 2, wheel: 3}
 springs:

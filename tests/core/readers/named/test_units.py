@@ -314,7 +314,7 @@ def test_a_calculation_stands_before_the_unit() -> None:
         assert re.fullmatch(QUANTITY, text)
 
 
-def test_what_is_no_such_quantity_is_told() -> None:
+def test_what_is_no_such_quantity_is_reported() -> None:
     texts: tuple[tuple[str, Quantity, str], ...] = (
         ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
         ("rpm", "speed", "expected a speed with its unit"),

@@ -160,13 +160,13 @@ FAULTS: tuple[tuple[str, Any, str], ...] = (
 """Cell, what is written there, place and words of the error."""
 
 
-def test_a_fault_is_told_at_its_cell() -> None:
+def test_a_fault_is_reported_at_its_cell() -> None:
     for cell, value, said in FAULTS:
         told = faults(with_cells({cell: value}))
         assert any(one.startswith(f"box.xlsx:{said}") for one in told), told
 
 
-def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) -> None:
+def test_all_faults_are_reported_at_once_with_their_cells_in_json(tmp_path: Path) -> None:
     file = tmp_path / "box.xlsx"
     file.write_bytes(with_cells({"mechanisms!E2": "much", "gears!D3": "y"}))
     said = vstatics("check", file)
@@ -175,7 +175,7 @@ def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) ->
     assert places == [(str(file), 2, 5), (str(file), 3, 4)]
 
 
-def test_a_mistyped_sheet_and_a_cell_merged_over_rows_are_told() -> None:
+def test_a_mistyped_sheet_and_a_cell_merged_over_rows_are_reported() -> None:
     def renamed(book: Any) -> None:
         book["gears"].title = "gear"
 

@@ -28,7 +28,7 @@ gears:
 """
 
 
-def test_a_balance_that_can_not_be_is_told() -> None:
+def test_a_balance_that_can_not_be_is_reported() -> None:
     for old, new, said in (
         ("balance: {MG1: .92, MG2: .90,", "balance: {MG1: .92,", "read no link without speed"),
         ("speeds: {MG1: 3000 rpm}, ", "", "read MG1 and MG2 without speed and torque"),

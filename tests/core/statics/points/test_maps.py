@@ -212,7 +212,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
     assert is_read_again(case)
 
 
-def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path) -> None:
+def test_a_file_with_a_map_that_is_wrong_is_reported(tmp_path: Path) -> None:
     text = CASE.format(efficiency="{over: [speed, torque], file: map.csv}", loss=LOSS)
     file = tmp_path / "case.yaml"
     file.write_text(text, "utf-8")

@@ -20,7 +20,7 @@ CASE = Transmission(
 
 
 @needs("sweep")
-def test_a_path_that_names_nothing_is_told_with_the_nearest() -> None:
+def test_a_path_that_names_nothing_is_reported_with_the_nearest() -> None:
     for path, near in (
         ("load.torqe", "vary: the case has no number `load.torqe`; did you mean `load.torque`?"),
         ("gears.lo.drag.out", "did you mean `gears.low.drag.out`?"),

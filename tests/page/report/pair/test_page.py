@@ -91,7 +91,7 @@ def test_each_number_of_both_stands_there_and_what_differs_is_marked(files: list
 
 
 @pytest.mark.usefixtures("_without_pictures")
-def test_changes_of_the_case_are_told_and_gears_of_one_alone(files: list[Path]) -> None:
+def test_changes_of_the_case_are_listed_and_gears_of_one_alone(files: list[Path]) -> None:
     page = compared(*files)
     paths = [one.text for one in page.all("tr")]
     assert "P1.ratio\u22122.5\u22123.0" in paths

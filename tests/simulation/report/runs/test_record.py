@@ -30,7 +30,7 @@ def numbers(text: str) -> Floats:
 
 
 @each_seed(5)
-def test_lines_between_instants_are_as_near_as_is_told(seed: int) -> None:
+def test_lines_between_instants_are_as_near_as_stated(seed: int) -> None:
     """Of random swinging columns with a jump and a gap; what must stay does."""
     chance = np.random.default_rng(seed)
     time = np.sort(np.r_[chance.uniform(0, 1, 400), 0.5, 0.5])

@@ -22,7 +22,7 @@ def weights(points: Floats) -> Floats:
     return np.asarray(np.where(CORNERS, points[:, None], 1 - points[:, None]).prod(axis=2))
 
 
-def test_what_is_found_within_bounds_is_told_from_the_corners() -> None:
+def test_what_is_within_bounds_is_known_from_the_corners() -> None:
     random = np.random.default_rng(15)
     inside = weights(random.random((2000, 3)))
     for _ in range(300):
@@ -34,7 +34,7 @@ def test_what_is_found_within_bounds_is_told_from_the_corners() -> None:
         assert reached(above, below, low, high) or not is_met
 
 
-def test_no_more_is_told_where_the_denominator_has_one_sign() -> None:
+def test_no_more_is_reported_where_the_denominator_has_one_sign() -> None:
     """Then all between the least and the greatest quotient is reached, as it changes steadily."""
     random = np.random.default_rng(16)
     for _ in range(300):

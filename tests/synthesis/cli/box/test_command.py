@@ -90,7 +90,7 @@ def refused(*options: object) -> str:
     return said.err.split("Error: ")[1].rstrip()
 
 
-def test_boxes_are_told_once_and_in_order_whichever_piece_has_them() -> None:
+def test_boxes_are_listed_once_and_in_order_whichever_piece_has_them() -> None:
     found = boxes()
     assert [tuple(box["elements"]) for box in found] == LEAST
     assert [(box["family"], box["core"]) for box in found] == [(1, 1), (1, 1), (2, 2)]
@@ -364,7 +364,7 @@ def test_what_cannot_be_asked_for_is_wrong_use() -> None:
     ("package", "options"),
     [("networkx", ()), ("networkx", ("-o", "f/")), ("distributed", ("--scheduler", "tcp://h:1"))],
 )
-def test_packages_that_are_missing_are_told_before(
+def test_packages_that_are_missing_are_reported_first(
     package: str, options: tuple[object, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hide(package, monkeypatch)

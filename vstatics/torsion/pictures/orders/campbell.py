@@ -137,9 +137,9 @@ def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
     """Return the names of the modes of a single gear, with arrows at modes above the scale."""
     ends = []
     for mode in sheet.modes:
-        above = " ↑" if mode.frequency > sheet.top else ""
-        part = min(mode.frequency / sheet.top, 1.0)
-        ends.append(LineEnd(part, (f"{mode.number}: {sheet.hertz(mode.frequency)}{above}",)))
+        part = mode.frequency / sheet.top
+        text = f"{mode.number}: {sheet.hertz(mode.frequency)}{' ↑' * (part > 1)}"
+        ends.append(LineEnd(min(part, 1.0), (text,)))
     return ends
 
 

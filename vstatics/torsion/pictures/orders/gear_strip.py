@@ -8,9 +8,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vstatics.core.groups import grouped
-from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
-from vstatics.pictures.drawing.labels import Label, height, width
+from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import GearMode
@@ -69,13 +68,8 @@ class GearStrip(NamedTuple):
             pen.lines(marks, color=style.ink, width=1.3)
         every = math.ceil((height("") + 1) / pitch)
         upright = any(width(name) > pitch - 2 for name in self.gears)
-        names = [
-            Label(x, name if place % every == 0 else "", style.ink)
-            for place, (x, name) in enumerate(zip(at, self.gears, strict=True))
-        ]
-        for label in names:
-            look: Look = {"ha": "center", "va": "top", "rotation": 90 * upright}
-            pen.text(label.at, -4.0, label.text, **look)
+        for x, name in list(zip(at, self.gears, strict=True))[::every]:
+            pen.text(x, -4.0, name, ha="center", va="top", rotation=90 * upright)
         pen.text(wide / 2, high + 4, style.text("modes by gear"), ha="center", color=style.soft)
         beside(pen, "right", thinned(self._ends, high))
 
