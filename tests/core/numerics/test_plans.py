@@ -149,6 +149,14 @@ def test_numbers_that_wander_do_not_need_a_plan_each() -> None:
     assert counted.alone == 0
 
 
+def test_a_long_plan_serves_again_after_other_numbers() -> None:
+    counted = Counted(lambda numbers: [sum((numbers[0] * n for n in range(2, 99)), numbers[0])])
+    own = Plans(counted)
+    for size in (1.0, 1e6) * 3:
+        check(own, counted.function, size * np.linspace([1], [2], 20).T)
+    assert counted.traced == 2
+
+
 def test_there_is_an_end_to_plans(monkeypatch: pytest.MonkeyPatch) -> None:
     assert plans.MOST_PLANS > 3
     monkeypatch.setattr(plans, "MOST_PLANS", 3)

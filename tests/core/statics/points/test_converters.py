@@ -17,6 +17,7 @@ from scipy.optimize import brentq
 from tests.chance import count, examples, seeded
 from vstatics import solve
 from vstatics.core.readers import loads
+from vstatics.core.statics.points.roots import _RootSearch
 
 POINTS = [[0, 2.2, 0.002], [0.4, 1.5, 0.003], [1, 1, 0]]
 AT_INPUT = """links: [engine, turbine, output]
@@ -59,6 +60,14 @@ def test_a_constant_lambda_behind_a_split_has_a_closed_form() -> None:
     results = solve(loads(text), vary={"load.torque": torque})
     expected = (3 * 200 * np.sqrt(0.003 / torque) - 1) / 2
     np.testing.assert_allclose(results.speed_ratio[:, 0, 0], expected, rtol=0, atol=1e-13)
+
+
+def test_a_straight_surplus_is_followed_to_its_root_in_both_directions() -> None:
+    """Surpluses of 1 and -3 vanish at a quarter of the interval."""
+    for low, high in ((0.0, 1.0), (1.0, 0.0)):
+        first, last, before, after = np.array([[low], [high], [1.0], [-3.0]])
+        search = _RootSearch(first, last, before, after, np.array([True]))
+        assert search.guess(halve=False) == low + (high - low) / 4
 
 
 class Drawn(NamedTuple):

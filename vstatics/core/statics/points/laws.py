@@ -171,7 +171,9 @@ def _with_speeds(
     """
     results = solve_points(plain, columns, variants)
     loads: Any = loads_of(plain, columns, variants)
-    for _ in range(MOST_FREEWHEEL_PASSES):
+    sizes: dict[CaseNumber, tuple[Floats, ...]] = {}
+    moved = np.zeros(results.consistent.shape, np.bool_)
+    for _ in range(MOST_FREEWHEEL_PASSES if laws else 0):
         before = results.speeds
         sizes = {
             number: law.sizes_of(

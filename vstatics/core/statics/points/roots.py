@@ -292,7 +292,7 @@ class _RootSearch:
         if halve:
             return halves
         straight = self.low - self.at_low * (self.high - self.low) / (self.at_high - self.at_low)
-        inside = (straight >= self.low) & (straight <= self.high)
+        inside = (straight - self.low) * (straight - self.high) <= 0
         trial: Floats = np.where(inside, straight, halves)
         return trial
 
