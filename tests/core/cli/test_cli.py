@@ -89,6 +89,7 @@ WRONG = dict.fromkeys(
     "box.yaml": "there is no command `box.yaml`; expected a command before a file; commands are new, ",
     "new zf-8hp70": "zf-8hp70 is a template, not a file: expected --template zf-8hp70",
     f"run {DIFFERENTIAL} --gear 1": "No such option '--gear': flow",
+    f"run {DIFFERENTIAL} --list": "No such option '--list'.\n",  # unlike --coast and --quiet
     f"convert {DIFFERENTIAL} -o a.json": "No such option '-o': expected `convert IN OUT`.",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     f"flow {MZKT} --gear 1,3": "expected an option for each gear: --gear 1 --gear 3",

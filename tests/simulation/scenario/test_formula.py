@@ -167,6 +167,9 @@ def test_numbers_of_numpy_are_numbers_of_formulas() -> None:
         ("5*acos(t)", r"there is no function `acos`, expected .*, atan \["),
         ("5*pow(t, 2)", r"; write pow as `x\*\*2`"),
         ("5*fabs(t)", r"; write fabs as `abs\(x\)`"),
+        # codeplea/tinyexpr/issues/37: products without a sign
+        ("2 sin(t)", r"bare or with its unit; in a formula, write `\*` between factors"),
+        ("t + 2t", r"write `2\*t`, or a name in quotes"),
         # pjkundert/cpppo/issues/14: a fault in an index caused a message of Python
         ("speed[a, a]", r"read `a`, expected a name in quotes, such as speed\('a'\)"),
     ],
@@ -176,6 +179,11 @@ def test_formulas_of_other_languages_are_rejected_with_the_right_spelling(
 ) -> None:
     with pytest.raises(ReadError, match=said):
         simulated(f"duration: 1\ntorques: {{a: '{torque}'}}\n", "inertias: {a: 1}")
+
+
+def test_a_product_with_the_time_is_not_a_mass_in_tonnes() -> None:
+    with pytest.raises(ReadError, match=r"set.F: read '2\*t', expected a number, not a formula"):
+        simulated("duration: 1\nset: {F: 2*t}\ntorques: {a: F}\n", "inertias: {a: 1}")
 
 
 def test_sequences_set_powers_and_percentages() -> None:

@@ -39,7 +39,7 @@ MISTAKES = (
     ("'ok' != status", "'ok' != status", "numbers are compared, not texts"),
     ("ratio[2] # two", "# two", "read `#`"),
     ("#x.ratio", "#x.ratio", "expected `#` and a number"),
-    ("1R > 2", "1R > 2", 'goes in quotes: "1R"'),
+    ("1R > 2", "1R > 2", 'write `1*R`, or a name in quotes: "1R"'),
     ("1_000 + 1", "1_000 + 1", "expected a number without `_`: 1000"),
     ("1e999", "1e999", "expected a number below 1.8e308"),
     ("speeds(in)", "speeds(in)", "there is no function `speeds`, expected abs, min, max, sqrt"),

@@ -6,6 +6,7 @@ import pickle
 import pytest
 
 from vstatics import CaseError, ReadError, Transmission, loads
+from vstatics.core.model.checks import doubts
 from vstatics.core.model.springs import Spring, between
 from vstatics.core.writers.deck_limits import check_deck
 from vstatics.core.writers.named import write_json, write_yaml
@@ -33,6 +34,13 @@ def test_units_and_defaults() -> None:
     assert (shaft.asymmetry, shaft.threshold, shaft.sum) == (0.0, 0.6, 1.0)
     other = "section_modulus: 4 cm^3, endurance: 100 N/mm^2, exponent: 3, cycles: 4e6"
     assert Fatigue.of(read(other))["shaft"].modulus == pytest.approx(4e-6)
+
+
+def test_an_endurance_without_its_unit_is_noted() -> None:
+    """Source: a limit of 1000 for 1000 MPa in github.com/boschresearch/pylife/issues/21."""
+    for endurance, noted in (("1000", ["N205"]), ("1000 MPa", [])):
+        case = read(f"{BARE}, exponent: 5, endurance: {endurance}")
+        assert [doubt.id for doubt in doubts(case)] == noted
 
 
 def test_written_and_read_it_is_the_same() -> None:

@@ -106,8 +106,11 @@ def _safe_usage_errors() -> Iterator[None]:
     except click.exceptions.NoArgsIsHelpError:
         raise  # the error is a help text, which needs no hint
     except click.UsageError as error:
-        message = printable(error.format_message(), lines=True)
         unknown = error.option_name if isinstance(error, click.NoSuchOption) else ""
+        if isinstance(error, click.NoSuchOption):  # click compares options with their dashes
+            near = [name for name in error.possibilities or () if nearest(unknown[2:], [name[2:]])]
+            error = click.NoSuchOption(unknown, possibilities=near, ctx=error.ctx)
+        message = printable(error.format_message(), lines=True)
         if unknown in _ELSEWHERE and f"{unknown}s" not in message:
             others = spoken(installed(_ELSEWHERE[unknown]))
             message = f"No such option '{unknown}': {others} have it."

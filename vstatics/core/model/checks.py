@@ -26,6 +26,7 @@ from vstatics.core.model.parts import (
     Mechanism,
     OfLoad,
     ShiftElement,
+    damping,
     element_names,
     mechanism_name,
     mechanism_names,
@@ -42,6 +43,8 @@ LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
 LARGE_TWIST = 12.0
 """Largest plausible twist of a spring, about two turns. [rad]"""
+LARGE_RATIO = 2.0
+"""Damping ratio that was probably meant in %, as parts of gearboxes have 0.01 to 0.1. [-]"""
 LARGE_SLIP = 5.0
 """Largest plausible relative slip; a larger number was probably meant in rpm or rad/s. [-]"""
 
@@ -154,11 +157,18 @@ def _bare_slips(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _bare_twists(case: TransmissionFields) -> Iterator[Problem]:
-    """Note unitless twists that are probably in degrees."""
+    """Note unitless twists that are probably in degrees, and damping ratios probably in %."""
     for number, spring in enumerate(case.springs, 1):
         largest = max((abs(point[0]) for point in spring.points), default=0.0)
         if largest > LARGE_TWIST and not case.is_straight(spring):
             yield no_unit(largest, "rad", "a spring", ("springs", number, "points"))
+    for key in ("springs", "mechanisms", "shift_elements"):
+        for number, part in enumerate(getattr(case, key), 1):
+            ratio = damping(part.damping).loss_factor / 2
+            if ratio >= LARGE_RATIO:
+                message = f"read a damping ratio of {ratio:g}, more than most parts can have"
+                hint = f"write a ratio in % as `{ratio:g}%`"
+                yield Problem("N205", f"{message}: {hint}", (key, number, "damping"))
 
 
 def _bare_drags(case: TransmissionFields) -> list[Problem]:

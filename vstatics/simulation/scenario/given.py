@@ -7,6 +7,7 @@ values.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
@@ -14,12 +15,13 @@ from typing import Any, NamedTuple, get_args
 
 from vstatics.core.errors import ReadError, quoted, spoken
 from vstatics.core.model.shape import UNIT_OF, Measure, Parsed
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.named.arithmetic import UnitError, calculated, dimensionless
 from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.core.readers.named.units import has_digits, quantity
 from vstatics.simulation.scenario.conditions import read_condition
-from vstatics.simulation.scenario.formula import Formula, Vocabulary, read_formula
+from vstatics.simulation.scenario.formula import SHORT_SPEED, Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.laws import Road
 
 
@@ -89,7 +91,13 @@ def si_number(text: str) -> float:
     --------
     >>> si_number("2 kN*m"), si_number("80 kW"), si_number("25 %")
     (2000.0, 80000.0, 0.25)
+    >>> si_number("2*t")
+    Traceback (most recent call last):
+    ...
+    ValueError: expected a number, not a formula; write a unit as in `2 t`
     """
+    if product := _PRODUCT.fullmatch(text.strip()):
+        raise ValueError(f"expected a number, not a formula; write a unit as in `2 {product[1]}`")
     with suppress(ValueError):
         return in_any_unit(text, ANY_MEASURE)
     with suppress(ValueError):
@@ -104,6 +112,8 @@ def si_number(text: str) -> float:
 
 _ANY_NUMBER = "expected a number, with or without a unit such as `N*m`, `kW` or `%`"
 _COMPARISONS = frozenset("<>=?")
+_PRODUCT = re.compile(r"[-+\d.e ]+\* *([a-zA-Z])")
+"""Pattern of a number times one letter, which is a unit (tonnes) or a variable (time)."""
 ANY_MEASURE = get_args(Measure)
 TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
 CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", TORQUE_UNIT)
@@ -142,7 +152,12 @@ def curve(
             behind = "*"
         is_compared = not _COMPARISONS.isdisjoint(behind)  # as in `5 if t < 1 else 0`
         if not behind or ((behind[0].isalpha() or behind[0] == "°") and not is_compared):
-            return read(text)
+            try:
+                return read(text)
+            except ValueError as error:
+                if behind.partition("(")[0].strip() not in (*names, SHORT_SPEED, *FUNCTIONS):
+                    raise
+                raise UnitError(f"{error}; in a formula, write `*` between factors") from None
         try:
             return read_formula(Excerpt(text, ""), names, words)
         except ReadError:

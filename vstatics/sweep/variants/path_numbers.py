@@ -167,6 +167,8 @@ def no_path(text: str, case: Transmission) -> str:
     >>> print(no_path("load.sped", case).replace("; ", "\\n"))
     there is no number `load.sped`, expected `load.` and one of speed, torque
     did you mean `load.speed`?
+    >>> print(no_path("load.power", case).partition("; ")[2])
+    a power is varied by its torque, --with 'load.torque [N*m]=...'
     """
     parts = plain_keys(text)
     paths = known_paths(case)
@@ -188,7 +190,10 @@ def no_path(text: str, case: Transmission) -> str:
     message += f", expected `{before}.` and one of {listed(behind)}"
     if depth == len(parts):
         return message
-    return message + nearest(f"{before}.{parts[depth]}", [f"{before}.{key}" for key in behind])
+    hint = nearest(f"{before}.{parts[depth]}", [f"{before}.{key}" for key in behind])
+    if parts[depth] == "power":
+        hint = f"; a power is varied by its torque, --with '{before}.torque [N*m]=...'"
+    return message + hint
 
 
 def own_number_at(path: CasePath, case: Transmission) -> float:

@@ -15,6 +15,8 @@ from vstatics.core.suggestions import nearest
 from vstatics.vehicle.case.fatigue import Fatigue, Flanks, TorqueStrength
 from vstatics.vehicle.case.members import Members
 
+WEAKEST_METAL = 1e5
+"""Endurance limit that was probably meant in MPa, as metals have some 10 MPa or more. [Pa]"""
 THICKEST_SHAFT = 1.0
 """Shaft diameter above which the value was probably given in mm without a unit. [m]"""
 _STRENGTHS = {
@@ -82,7 +84,13 @@ def _of_members(case: TransmissionFields, paths: Mapping[str, Path]) -> Iterator
 
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about shaft diameters that were probably given in mm without a unit."""
+    """Yield notes about diameters and stresses that probably lack their unit mm or MPa."""
     for name, fatigue in Fatigue.of(case).items():
+        if fatigue.endurance < WEAKEST_METAL:
+            message = (
+                f"read {fatigue.endurance:g} Pa, less than a metal can have: a number without a "
+                f"unit is in Pa, so write `{fatigue.endurance:g} MPa` if this is meant"
+            )
+            yield Problem("N205", message, ("fatigue", name, "endurance"))
         if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
             yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

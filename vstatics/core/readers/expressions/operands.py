@@ -98,7 +98,8 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
     if word != text:
         name, dot, attribute = word.partition(".")
         correct = f'"{name}".{attribute}' if dot and NAME.fullmatch(attribute) else f'"{word}"'
-        expected = "expected a number; a name that begins with a digit goes in quotes"
+        product = quoted(f"{text}*{word.removeprefix(text)}")
+        expected = f"expected a number; write {product}, or a name in quotes"
         raise source.error(f"read {quoted(word)}, {expected}: {correct}", at)
     if float(text) == float("inf"):
         raise source.error(f"read {quoted(text)}, expected a number below 1.8e308", at)
