@@ -257,6 +257,10 @@ def test_what_cannot_be_is_refused_at_its_place() -> None:
     for keys, said in (
         (f"fatigue: {{P9.sun: {{{T}}}}}", "there is no link or member `P9"),
         (f"fatigue: {{P1.planet: {{{T}}}}}", "expected `torque_of`"),
+        (
+            f"fatigue: {{m: {{{T}}}}}\nsprings: {{m: {{links: [s], stiffness: 9}}}}",
+            "`m` is a spring",
+        ),
         (f"fatigue: {{a: {{on: P1.planet, {T}}}}}", "P1.planet is a"),
         (f"fatigue: {{a: {{on: P9.sun, {T}}}}}", "or member `P9.sun`"),
         (

@@ -20,12 +20,11 @@ from vstatics import (
     Mechanism,
     Results,
     ShiftElement,
-    Spring,
     Transmission,
     load_scenario,
+    loads,
     solve,
 )
-from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import SpeedOf
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.labels import width
@@ -110,12 +109,11 @@ def test_links_of_one_speed_share_a_line(results: Results) -> None:
 
 
 def test_the_turbine_of_a_converter_is_shown_before_faster_links() -> None:
-    converter = Converter("TC", 1, 3, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
-    springs = [Spring({1: 1, link: 1}, 1.0) for link in (2, 3, 4)]
-    case = Transmission(4, [], [], [], converters=[converter], springs=springs)
-    speeds = np.outer(run().time, [3.0, 9.0, 2.0, 1.0])
-    speed, *_ = panels(case, run()._replace(links=tuple("1234"), speeds=speeds))
-    assert [line.names for line in speed.lines] == [("1",), ("4",), ("3",), ("2",)]
+    text = """springs: {s: {twist: {a: 1, b: 1, c: 1, d: 1}, stiffness: 1}}
+converters: {TC: {links: [a, c], points: [[0, 2, 1], [1, 1, 0]]}}"""
+    speeds = np.outer(run().time, [3, 9, 2, 1])
+    speed, *_ = panels(loads(text), run()._replace(links=tuple("abcd"), speeds=speeds))
+    assert "".join(line.names[0] for line in speed.lines) == "adcb"
 
 
 def test_torques_far_apart_have_panels_of_their_own(results: Results) -> None:

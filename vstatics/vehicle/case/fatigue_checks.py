@@ -60,9 +60,14 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 def _of_members(case: TransmissionFields, paths: Mapping[str, Path]) -> Iterator[Problem]:
     members = Members.of(case)
+    springs = {*spring_names(case.springs)} - {*members.with_torque}
     for name, strength in TorqueStrength.of(case).items():
         path = paths[name]
         member, place = (strength.on or name), (*path, "on") if strength.on else path
+        if member in springs:
+            message = f"{quoted(member)} is a spring, expected `endurance` instead of `torque`"
+            yield Problem("E880", message, place)
+            continue
         yield from members.unknown(member, place)
         yield from members.at_rest(member, place)
         owner = strength.torque_of or member

@@ -169,11 +169,9 @@ gears:
 
 def test_a_reversed_freewheel_is_named_when_the_lock_up_clutch_slips() -> None:
     """The turbine turns at 0.9 of the input speed, so the freewheel would slip by -0.9."""
-    reversed_ = "{L: [engine, turbine], F: {kind: freewheel, links: [housing, turbine]}}"
-    text = CASE.replace("{L: [engine, turbine]}", reversed_)
-    case = loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))
-    [said] = [said.text for said in solve(case).messages if said.gear == "2"]
-    assert said.startswith("conflict: freewheel F can neither overrun (its slip would be -0.9,")
+    text = CASE.replace("turbine]}", "turbine], F: {kind: freewheel, links: [housing, turbine]}}")
+    said = str(solve(loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))).messages)
+    assert "conflict: freewheel F can neither overrun (its slip would be -0.9," in said
 
 
 def test_a_given_ratio_that_contradicts_a_slip_has_a_remedy() -> None:
