@@ -334,7 +334,9 @@ def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(seed: int) -
         assert made.beyond == fast  # full load is far away, but beyond the last point there is none
         said = {one.id: one.text for one in made.messages}
         assert ("W428" in said) == (fast > 0)
-        assert said.get("W428", f"in {fast} of 40").startswith(f"in {fast} of 40")
+        begin, end = f"in {fast} of 40", f"last point, {last * 30 / math.pi:.6g} rpm"
+        assert said.get("W428", begin).startswith(begin)
+        assert said.get("W428", end).endswith(end)
 
 
 @pytest.fixture

@@ -94,6 +94,7 @@ def test_a_box_is_as_fast_as_its_forward_gears() -> None:
     made = performance(case)
     assert made.top_speed == pytest.approx(3.6 * 400 / 5 * 0.5)
     assert made.gears["RH"].top_speed == pytest.approx(3.6 * 400 / 2 * 0.5)
+    assert made.gears["FL"].slope == 1  # 500 N*m * 10/0.5 m are more than the weight
 
 
 def test_slip_in_rpm_takes_speed_and_no_force() -> None:
