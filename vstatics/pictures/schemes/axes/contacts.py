@@ -178,8 +178,7 @@ def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]
     The line of a link on the far side leads around the edge of the gear set.
     """
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
-    end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):
-        return AxisContact(tap.wire, at, device, "set", end)
+        return AxisContact(tap.wire, at, device, "set", tap.y)
     edge = x + half if at >= x else x - half
-    return AxisContact(tap.wire, edge, device, "set", end, at - edge)
+    return AxisContact(tap.wire, edge, device, "set", tap.y, at - edge)

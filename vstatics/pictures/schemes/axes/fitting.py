@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
 from vstatics.pictures.drawing.style import Style
@@ -36,16 +37,17 @@ def placed(
     The diagram also fits the height of a page if possible.
     """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
-    chosen = _chosen(scheme, axes, inner)
+    nameless = {index: replace(section, names={}) for index, section in sections.items()}
+    chosen = _chosen(scheme, axes, nameless, inner)
     # If a link would pass through a half-section, all components are drawn as separate stations.
     if chosen is None:
-        inner, chosen = [], _chosen(scheme, axes, [])
+        inner, chosen = [], _chosen(scheme, axes, nameless, [])
     assert chosen is not None  # noqa: S101 - without half-sections, no link can pass through one
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
         layouts = [section.laid_out(1 / part, letters, is_small=is_small) for section in inner]
-        stations = stations_of(scheme, axes, style, letters, layouts)
+        stations = stations_of(scheme, axes, style, letters, sections, layouts)
         rows = axis_rows(axes, stations, 1 / part)
         for gap in GAPS:
             board = AxesBoard(axes, rows, stations, scheme.ports, gap)
@@ -60,11 +62,15 @@ def placed(
     return placing
 
 
-def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
+def _chosen(
+    scheme: Scheme,
+    axes: ParallelAxes,
+    sections: Mapping[int, HalfSection],
+    inner: Sequence[RowSection],
+) -> StationOrder | None:
     """Return the best order of the stations, unless a link would pass through a half-section."""
-    stations = stations_of(
-        scheme, axes, Style(), sections=[section.laid_out() for section in inner]
-    )
+    layouts = [section.laid_out() for section in inner]
+    stations = stations_of(scheme, axes, Style(), LETTERS, sections, layouts)
     placing = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
     for station, x in zip(stations, placing.xs, strict=True):
         if station.layout is not None and any(passing(placing, station, x)):

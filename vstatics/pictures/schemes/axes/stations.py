@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.elements.group import group_of
-from vstatics.core.elements.kinds import Planetary
-from vstatics.core.model.parts import Mechanism
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import SMALL, Style
@@ -16,10 +13,8 @@ from vstatics.pictures.schemes.axes.recognition import AxisJoint, ParallelAxes, 
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
 from vstatics.pictures.schemes.gear_glyphs import Glyph, lines_of
-from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
-from vstatics.pictures.schemes.sets import set_glyphs
-from vstatics.pictures.schemes.titles import teeth_of
+from vstatics.pictures.schemes.sets import HalfSection, set_glyphs
 
 SIGN = 16.0
 """Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
@@ -80,20 +75,28 @@ class Station(NamedTuple):
         return self.kind in ("coupling", "box") and len(self.links) == 2
 
 
-def stations_of(
+def stations_of(  # noqa: PLR0913, PLR0917 - parts of the gearbox and their style
     scheme: Scheme,
     axes: ParallelAxes,
     style: Style,
-    letters: int = 12,
-    sections: Sequence[CoaxialLayout] = (),
+    letters: int,
+    sections: Mapping[int, HalfSection],
+    layouts: Sequence[CoaxialLayout],
 ) -> list[Station]:
     """Return the stations of a gearbox in the order of the components.
 
-    Long names are broken into lines.
+    Parameters
+    ----------
+    letters : int
+        Number of letters above which a name is broken into lines.
+    sections : mapping of int to HalfSection
+        Half-sections of single gear sets, by index in the scheme.
+    layouts : sequence of CoaxialLayout
+        Half-sections of several gear sets.
     """
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
-    stations = [_section(layout, axes) for layout in sections]
+    stations = [_section(layout, axes) for layout in layouts]
     inside = {index for section in stations for index in section.devices}
     for index, device in enumerate(scheme.devices):
         if index in inside:
@@ -109,7 +112,12 @@ def stations_of(
             stations.append(_drum(scheme, drum, axes))
         elif index not in drum:
             row = axes.of(next(iter(device.links)))
-            stations.append(_alone(index, device, row, names, style))
+            station = _alone(index, device, row, names, style)
+            if station.kind == "box" and index in sections:
+                glyphs = set_glyphs(sections[index].with_teeth_alone())
+                half = glyphs[0].width / 2
+                station = station._replace(kind="set", half=half, glyphs=glyphs)
+            stations.append(station)
     return list(_stacked(stations))
 
 
@@ -153,9 +161,6 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
     is_differential = device.kind == "bevel" or is_bare_differential(device)
     if is_differential and len(set(links)) == len(device.members):
         return Station("differential", (index,), (row,), links, CAGE, names)
-    glyphs = set_ways(device, style)
-    if glyphs:
-        return Station("set", (index,), (row,), links, glyphs[0].width / 2, names, glyphs=glyphs)
     half = max(width(box_note(device, style), SMALL) / 2 + 3, 13.0, PIN * len(links))
     return Station("box", (index,), (row,), links, half, names)
 
@@ -170,20 +175,6 @@ def _pair_teeth(device: Device, style: Style) -> list[str]:
 def box_note(device: Device, style: Style) -> str:
     """Return the text in the box of a component whose gears are not known."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
-
-
-def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """Return all ways to draw a planetary gear set; empty for other components."""
-    if device.element is not None:
-        if not isinstance(device.element.shape, Planetary):
-            return []
-        counts = teeth_of(device.element) if style.wheels else {}
-        named = {gear: f"{count:g}" for gear, count in counts.items()}
-        return set_glyphs(group_of(device.element), named)
-    if device.kind != "mechanism" or "third" not in device.members:
-        return []
-    first, second, carrier = device.members.values()
-    return set_glyphs(bare_group(Mechanism(first, second, carrier, device.ratio)))
 
 
 def drum_of(scheme: Scheme) -> list[int]:

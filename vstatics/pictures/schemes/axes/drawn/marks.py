@@ -135,7 +135,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
-            lines: list[Segment] = [(at(tap.x, tap.side * tap.depth), at(tap.x, end))]
+            lines: list[Segment] = [(at(tap.x, tap.y), at(tap.x, end))]
             lines += ground(at(tap.x, end), tap.side * side)
             looks.setdefault(LINE_WIDTH, []).extend(lines)
     for thick, strokes in looks.items():

@@ -118,7 +118,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
-            yield Obstacle(about(at(tap.x, tap.side * tap.depth), at(tap.x, end)))
+            yield Obstacle(about(at(tap.x, tap.y), at(tap.x, end)))
             wall = tap.side * (glyph.half + 5 + GROUND)
             yield Obstacle(about(at(tap.x - 9, end), at(tap.x + 9, wall)))
 
