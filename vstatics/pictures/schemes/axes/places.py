@@ -62,8 +62,8 @@ class AxesPlaces(NamedTuple):
     def port_height(self, link: int) -> float:
         """Return the height of the arrow of a link above the axis; nested shafts differ [pt]."""
         span = self.spans[link]
-        if span.level <= 0:
-            return span.height
+        if span.level <= 0:  # the line of a drum at the input begins at the axis
+            return span.height * (link not in self.board.entry)
         return self.bases[self.axis_of(link)] + PORT_PITCH * span.level - 2.0
 
     def road_end(self, link: int) -> float:

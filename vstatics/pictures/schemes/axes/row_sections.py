@@ -9,7 +9,6 @@ from math import inf
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, is_bare_differential
-from vstatics.pictures.schemes.axes.stations import drum_of
 from vstatics.pictures.schemes.coaxial.fitting import placed_by_letters
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import SectionFrame, framed
@@ -66,12 +65,11 @@ def row_sections(
     sections : mapping of int to HalfSection
         Half-sections of gear sets, and of mechanisms that can be gear sets, by index in the scheme.
     """
-    drum = {*drum_of(scheme)}
     for number in range(len(axes.axes)):
         inside, ends = _between_ends(scheme, axes, number, sections)
         sets = [index for index in sorted(inside) if index in sections]
         divides = any(is_bare_differential(scheme.devices[index]) for index in inside)
-        if len(ends) != 2 or len(sets) < FEWEST_SETS or drum & inside or divides:
+        if len(ends) != 2 or len(sets) < FEWEST_SETS or divides:
             continue
         ports = [
             SchemePort(link, role) for link, role in zip(ends, ("before", "behind"), strict=True)

@@ -20,8 +20,6 @@ SIGN = 16.0
 """Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
 SPRING = 24.0
 """Length of the symbol of a spring, with the connecting lines. [pt]"""
-PACK_PITCH = 24.0
-"""Distance between the plate packs in a drum. [pt]"""
 WHEEL = 5.0
 """Half the width of a gear. [pt]"""
 PIN = 7.0
@@ -36,16 +34,15 @@ class Station(NamedTuple):
     """Component, or group of components, drawn at a common position along the axes."""
 
     kind: str
-    """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``drum``, ``set``,
-    ``differential``, ``box``, or ``section`` (several gear sets).
+    """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``set``, ``differential``,
+    ``box``, or ``section`` (several gear sets).
     """
     devices: Sequence[int]
-    """Indices of the components in `Scheme.devices`. A drum has several clutches."""
+    """Indices of the components in `Scheme.devices`."""
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a `pair` in the order of the gears, of a `drum` the common link first,
-    of a `section` the left link first.
+    """Connected links: of a `pair` in the order of the gears, of a `section` the left link first.
     """
     half: float
     """Half the width of the station. [pt]"""
@@ -95,7 +92,6 @@ def stations_of(  # noqa: PLR0913, PLR0917 - parts of the gearbox and their styl
         Half-sections of several gear sets.
     """
     joints = {joint.device: joint for joint in axes.joints}
-    drum = drum_of(scheme)
     stations = [_section(layout, axes) for layout in layouts]
     inside = {index for section in stations for index in section.devices}
     for index, device in enumerate(scheme.devices):
@@ -108,9 +104,7 @@ def stations_of(  # noqa: PLR0913, PLR0917 - parts of the gearbox and their styl
             half = WHEEL + BEARING * bool(joint.frame)
             pair = Station("pair", (index,), rows, joint.links, half, names, joint)
             stations.append(pair._replace(teeth=_pair_teeth(device, style)))
-        elif index in drum[:1]:
-            stations.append(_drum(scheme, drum, axes))
-        elif index not in drum:
+        else:
             row = axes.of(next(iter(device.links)))
             station = _alone(index, device, row, names, style)
             if station.kind == "box" and index in sections:
@@ -175,39 +169,3 @@ def _pair_teeth(device: Device, style: Style) -> list[str]:
 def box_note(device: Device, style: Style) -> str:
     """Return the text in the box of a component whose gears are not known."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
-
-
-def drum_of(scheme: Scheme) -> list[int]:
-    """Return the indices of clutches whose plate packs share a drum, as in a dual clutch.
-
-    >>> from vstatics.pictures.schemes.scheme import SchemePort
-    >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]
-    >>> drum_of(Scheme(["engine", "odd", "even"], clutches, [SchemePort(1, "input")]))
-    [0, 1]
-    """
-    at = next(port.link for port in scheme.ports if port.role == "input")
-    seen = {at}
-    while True:
-        if any(at in device.links for device in scheme.devices if not device.is_coupling):
-            return []
-        ahead = [
-            index
-            for index, device in enumerate(scheme.devices)
-            if at in device.links and not device.is_on_housing and not device.links <= seen
-        ]
-        if len(ahead) != 1:
-            break
-        (at,) = scheme.devices[ahead[0]].links - {at}
-        seen.add(at)
-    driven = {link for index in ahead for link in scheme.devices[index].links} - {at}
-    are_clutches = all(scheme.devices[index].kind == "clutch" for index in ahead)
-    return ahead if are_clutches and len(driven) == len(ahead) > 1 else []
-
-
-def _drum(scheme: Scheme, drum: Sequence[int], axes: ParallelAxes) -> Station:
-    links = [scheme.devices[index].links for index in drum]
-    (common,) = set.intersection(*links)
-    others = [next(iter(clutch_links - {common})) for clutch_links in links]
-    half = PACK_PITCH * len(drum) / 2 + 2
-    names = [lines_of(scheme.devices[index].name, 4) for index in drum]
-    return Station("drum", drum, (axes.of(common),), (common, *others), half, names)
