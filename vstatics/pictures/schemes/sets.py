@@ -64,7 +64,7 @@ class HalfSection:
     group: PlanetGroup
     levels: Mapping[str, int]
     """Level of each planet, from 0 at the sun."""
-    columns: Sequence[WheelColumn] = field(default_factory=list)
+    columns: Sequence[WheelColumn]
     names: Mapping[str, str] = field(default_factory=dict)
     """Text next to each gear, by the name of the gear."""
     letters: float = 1.0

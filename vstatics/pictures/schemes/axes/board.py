@@ -75,11 +75,6 @@ class AxesBoard:
         }
 
     @cached_property
-    def halves(self) -> Sequence[float]:
-        """Half the width of each station [pt]."""
-        return [station.half for station in self.stations]
-
-    @cached_property
     def occupied(self) -> Sequence[Sequence[int]]:
         """Indices of the axes that each station occupies over the full height."""
         return [self._occupied(index, station) for index, station in enumerate(self.stations)]

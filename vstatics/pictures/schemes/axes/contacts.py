@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.stations import CAGE, WHEEL, Station
 from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
@@ -40,9 +41,7 @@ def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Ite
     for index, station in enumerate(board.stations):
         first += _fixed(board, chosen, index, station, xs[index])
     yield from first
-    middle: dict[int, list[float]] = {}
-    for contact in first:
-        middle.setdefault(contact.link, []).append(contact.x)
+    middle = grouped((contact.link, contact.x) for contact in first)
     sided = [n for n, station in enumerate(board.stations) if station.has_two_sides]
     for index in sided:
         for link in board.stations[index].links:

@@ -11,11 +11,12 @@ from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
-from vstatics.pictures.schemes.axes.row_sections import RowSection, row_sections
+from vstatics.pictures.schemes.axes.row_sections import row_sections
 from vstatics.pictures.schemes.axes.rows import axis_rows
 from vstatics.pictures.schemes.axes.search import arranged, passing
 from vstatics.pictures.schemes.axes.stations import stations_of
-from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS
+from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS, placed_by_letters
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
@@ -46,7 +47,12 @@ def placed(
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
-        layouts = [section.laid_out(1 / part, letters, is_small=is_small) for section in inner]
+        layouts = [
+            placed_by_letters(
+                bare._replace(letters=1 / part, line_letters=letters, is_small=is_small)
+            )
+            for bare in inner
+        ]
         stations = stations_of(scheme, axes, style, letters, sections, layouts)
         rows = axis_rows(axes, stations, 1 / part)
         for gap in GAPS:
@@ -66,10 +72,10 @@ def _chosen(
     scheme: Scheme,
     axes: ParallelAxes,
     sections: Mapping[int, HalfSection],
-    inner: Sequence[RowSection],
+    inner: Sequence[CoaxialLayout],
 ) -> StationOrder | None:
     """Return the best order of the stations, unless a link would pass through a half-section."""
-    layouts = [section.laid_out() for section in inner]
+    layouts = [placed_by_letters(bare._replace(line_letters=LETTERS)) for bare in inner]
     stations = stations_of(scheme, axes, Style(), LETTERS, sections, layouts)
     placing = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
     for station, x in zip(stations, placing.xs, strict=True):

@@ -139,10 +139,10 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
     """
     edges: dict[int, float] = {}
     shared: set[int] = set()
-    xs, halves, gap = [0.0] * len(order), board.halves, board.gap
+    xs, gap = [0.0] * len(order), board.gap
     first: list[int] = []  # stations on one axis only, before any station that several axes share
     for index in order:
-        rows, half = board.occupied[index], halves[index]
+        rows, half = board.occupied[index], board.stations[index].half
         start = 0.0
         for row in rows:
             if edges.get(row, 0.0) > start:
@@ -156,7 +156,7 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
             edges[row] = start + 2 * half + gap
     starts: dict[int, float] = {}
     for index in reversed(order) if first else ():
-        rows, half = board.occupied[index], halves[index]
+        rows, half = board.occupied[index], board.stations[index].half
         if index in first and rows[0] in starts:
             xs[index] = max(xs[index], starts[rows[0]] - gap - half)
         for row in rows:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import SMALL, Style
@@ -123,24 +124,15 @@ def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
     """Yield the stations; couplings between the same two links become a single station."""
-    taken: set[int] = set()
-    for place, station in enumerate(stations):
-        if place in taken:
-            continue
-        if station.kind == "coupling":
-            alike = [
-                number
-                for number, coupling in enumerate(stations)
-                if coupling.kind == station.kind and {*coupling.links} == {*station.links}
-            ]
-            taken |= {*alike}
-            couplings = [stations[number] for number in alike]
-            devices = [index for coupling in couplings for index in coupling.devices]
-            names = [name for coupling in couplings for name in coupling.names]
-            half = max(coupling.half for coupling in couplings)
-            yield station._replace(devices=devices, names=names, half=half)
-        else:
-            yield station
+    keyed: Iterator[tuple[object, Station]] = (
+        (frozenset(station.links) if station.kind == "coupling" else number, station)
+        for number, station in enumerate(stations)
+    )
+    for alike in grouped(keyed).values():
+        devices = [index for station in alike for index in station.devices]
+        names = [name for station in alike for name in station.names]
+        half = max(station.half for station in alike)
+        yield alike[0]._replace(devices=devices, names=names, half=half)
 
 
 def _alone(index: int, device: Device, row: int, names: Sequence[str], style: Style) -> Station:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.coaxial.search.state import Bars, OrderStep
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
@@ -145,7 +145,7 @@ class _FrameMaker:
             self._note()
         if self.train.end:
             self._stand(Upright("end", 0, ends[:1]))
-        return _without_dead_ends(self.frame)
+        return _with_ends(self.frame)
 
     def _start(self, step: OrderStep) -> None:
         below, _ = step.bars[0]
@@ -207,22 +207,12 @@ class _FrameMaker:
         return [low, high]
 
 
-def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
-    """Remove walls (vertical lines) to bars that meet nothing else; set the ends of all bars."""
-    while True:
-        met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
-        uprights = [
-            up for up in frame.uprights if up.kind != "wall" or all(met[bar] > 1 for bar in up.bars)
-        ]
-        if len(uprights) == len(frame.uprights):
-            break
-        frame.uprights = uprights
-    for place, up in reversed([*enumerate(frame.uprights)]):
-        for bar in up.all_bars:
-            bar.first = place
-    for place, up in enumerate(frame.uprights):
-        for bar in up.all_bars:
-            bar.last = place
+def _with_ends(frame: SectionFrame) -> SectionFrame:
+    """Set the ends of all bars, and leave out bars that meet nothing."""
+    uprights = enumerate(frame.uprights)
+    met = grouped((bar, place) for place, up in uprights for bar in up.all_bars)
+    for bar, places in met.items():
+        bar.first, bar.last = places[0], places[-1]
     rows = [tuple([bar for bar in row if bar in met] for row in both) for both in frame.rows]
     frame.rows = [(below, above) for below, above in rows]
     return frame

@@ -25,7 +25,7 @@ ASIDE = (0, 3, 7, 12, 18, 26, 36)
 """Horizontal distances of a text from the named component to try. [pt]"""
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
 """Vertical distances of a text from the named component to try; -1 overlaps the component. [pt]"""
-NAME_GAP = 1.5
+NAME_GAP = 2.5
 """Distance from the box around a component to the name. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
 """Costs of a text below or next to the component, compared with above. [pt of distance]"""
@@ -171,11 +171,13 @@ def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:
 
 def _names(placing: AxesPlaces, solid: Sequence[Obstacle]) -> Iterator[WantedLabel]:
     """Yield names of components, above or below the symbols."""
-    sides = placing.board.rows.sides
-    for x, station in zip(placing.xs, placing.board.stations, strict=True):
+    for number, station in enumerate(placing.board.stations):
+        x, side = placing.xs[number], placing.board.rows.sides[station.axes[0]]
         for device, text in zip(station.devices, station.names, strict=False):
             boxes = [item.box for item in solid if item.device == device]
-            low, high = min(box.low for box in boxes), max(box.high for box in boxes)
-            side = 1 if station.joint else sides[station.axes[0]]
-            above, below = (high + NAME_GAP, low - NAME_GAP)[::side]
+            ends = [y for box in boxes for y in (box.low, box.high)]
+            if station.joint is not None:
+                radii, side = zip(station.axes, placing.board.radii[number][::2], strict=True), 1
+                ends = [placing.y(axis, way * radius) for axis, radius in radii for way in (1, -1)]
+            above, below = (max(ends) + NAME_GAP, min(ends) - NAME_GAP)[::side]
             yield WantedLabel(device, text, (x, above), below, side, station.half)

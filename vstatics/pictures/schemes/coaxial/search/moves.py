@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.search.set_moves import SetMoves
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -19,24 +18,17 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     fresh,
     links_of,
 )
-from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
-class Moves(NamedTuple):
+class Moves(SetMoves):
     """Generator of the components that can follow to the right in a half-section."""
-
-    train: CoaxialTrain
-    crossing: int = 0
-    """Components that may cross bars (lines of links), as a bit mask; 0 for no component."""
-    is_ordered: bool = False
-    """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
         """Yield all steps from a state, each with the next state and the cost."""
         yield from self._tops(state)
         yield from self._pairs(state)
         yield from self._walls(state)
-        yield from SetMoves(*self).after(state)
+        yield from super().after(state)
 
     def _tops(self, state: SectionState) -> Iterator[Move]:
         """Yield the steps in which a link begins at the housing, or crosses bars to reach it."""
