@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.style import SIZE, SMALL
 from vstatics.pictures.schemes.axes.letters.obstacles import (
@@ -171,11 +172,11 @@ def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:
 
 def _names(placing: AxesPlaces, solid: Sequence[Obstacle]) -> Iterator[WantedLabel]:
     """Yield names of components, above or below the symbols."""
+    ends_of = grouped((item.device, y) for item in solid for y in (item.box.low, item.box.high))
     for number, station in enumerate(placing.board.stations):
         x, side = placing.xs[number], placing.board.rows.sides[station.axes[0]]
         for device, text in zip(station.devices, station.names, strict=False):
-            boxes = [item.box for item in solid if item.device == device]
-            ends = [y for box in boxes for y in (box.low, box.high)]
+            ends = ends_of[device]
             if station.joint is not None:
                 radii, side = zip(station.axes, placing.board.radii[number][::2], strict=True), 1
                 ends = [placing.y(axis, way * radius) for axis, radius in radii for way in (1, -1)]
