@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.pictures.drawing.style import SIZE, Style
+from vstatics.pictures.drawing.style import Style
 
 Point = tuple[float, float]
 """Horizontal and vertical coordinate of a point of a picture. [pt]"""
@@ -23,7 +23,7 @@ class MarkGroup(NamedTuple):
 
     kind: str
     """CSS class of the SVG group."""
-    data: tuple[tuple[str, str], ...] = ()
+    data: tuple[tuple[str, str], ...]
     """Attributes ``data-...`` of the SVG group, as pairs of name and value."""
 
     @property
@@ -121,7 +121,7 @@ class CanvasLine(NamedTuple):
     xs: Sequence[float] | Floats
     ys: Sequence[float] | Floats
     look: Look
-    order: float = 2.0
+    order: float
     """Drawing order: higher orders are drawn later, equal orders in the order of addition."""
     clip: tuple[Point, Point] | None = None
     """Corner and size of the rectangle within which the line is visible."""
@@ -132,7 +132,7 @@ class CanvasArea(NamedTuple):
 
     outline: Outline
     look: Look
-    order: float = 1.0
+    order: float
 
 
 class CanvasText(NamedTuple):
@@ -141,11 +141,11 @@ class CanvasText(NamedTuple):
     at: Point
     text: str
     look: Look
-    size: float = SIZE
-    is_bold: bool = False
-    has_halo: bool = False
+    size: float
+    is_bold: bool
+    has_halo: bool
     """True to draw a border in the colour of the paper around the letters."""
-    order: float = 3.0
+    order: float
 
 
 class CanvasPart(NamedTuple):

@@ -9,9 +9,8 @@ from vstatics.core.model.fields import Bodies
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.bodies import is_one_piece
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.roles import Role, mechanism_roles
+from vstatics.core.statics.roles import Role, roles
 from vstatics.core.statics.state import GearState
 from vstatics.core.statics.status import Status
 
@@ -37,10 +36,8 @@ class PictureState(NamedTuple):
     """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
     """Body of each link, the housing first, identified by the lowest link number of the body."""
-    is_still: Sequence[bool]
-    """True for each mechanism or gear set without relative motion; all False without a solution."""
     roles: Sequence[Role]
-    """Role of each mechanism: unloaded, locked up, or empty."""
+    """Role of each mechanism or gear set: unloaded, locked up, or empty."""
     loaded_springs: Sequence[bool]
     """True for springs with torque, or with unknown torque."""
     loaded_elements: Sequence[bool]
@@ -66,11 +63,7 @@ def state_of(results: Results, number: int) -> PictureState:
     >>> state.speeds[:3], state.joined
     ([0.0, 1.0, 0.0], [0, 1, 0, 3])
     """
-    return shown_of(results.gear_at(number - 1))
-
-
-def shown_of(state: GearState) -> PictureState:
-    """Return the values of a calculated gear that pictures show."""
+    state = results.gear_at(number - 1)
     case, gear = state.case, state.gear
     faults = [status for status in state.statuses if status.is_fault]
     if state.ideal.speeds.missing and not state.unloaded:
@@ -85,13 +78,7 @@ def shown_of(state: GearState) -> PictureState:
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
         case.bodies(gear),
-        [  # consistent with `roles`, except for supports, which hold a single link
-            state.calculable
-            and all(state.search.idle[place] for place in device.mechanisms)
-            and is_one_piece(device, state.speeds)
-            for device in case.own_devices
-        ],
-        mechanism_roles(state),
+        roles(results, number - 1),
         [torque != 0 for torque in torques[case.among_devices.stop : -1]],
         [
             number in gear.carrying and not (state.calculable and torque == 0)

@@ -14,8 +14,6 @@ from vstatics.pictures.flow.texts import FlowTexts
 
 UNDER = 3.0
 """Distance between a band and the text under the band. [pt]"""
-GROWTH = 1.3
-"""Factor that lengthens a returning band until the nodes fit between crossing bands. [-]"""
 
 
 class BackRow(NamedTuple):
@@ -90,15 +88,6 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
     low, high = (x + way * (row.width / 2 + BAND_CLEARANCE) for x, way in ((left, 1), (right, -1)))
     within = ((max(low, start), min(high, end)) for start, end in free(rows, place, spaced))
     return nearest((left + right) / 2, row.cell.wide, within)
-
-
-def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
-    """Return the indices of returning bands that are too short for their nodes."""
-    return [
-        row.number
-        for place, row in enumerate(rows)
-        if row.cell is not None and _middle_of_cell(rows, place, spaced) is None
-    ]
 
 
 def placed_rows(

@@ -8,15 +8,13 @@ from typing import NamedTuple
 
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import height, width
-from vstatics.pictures.flow.back import GROWTH, BackRow, back_rows, crowded, placed_rows
+from vstatics.pictures.flow.back import BackRow, back_rows, placed_rows
 from vstatics.pictures.flow.columns import Across, NodeColumns, across, columns
 from vstatics.pictures.flow.depths import Depths, depths
 from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
 
-TRIES = 12
-"""Largest number of attempts to widen columns until the nodes of returning bands fit."""
 STRAIGHT = 0.5
 """Difference in depth between two columns below which a band is horizontal. [pt]"""
 
@@ -102,7 +100,7 @@ def _deepest(line: Line) -> float:
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
-    """Return positions of runs and bands, with columns widened until returning bands have room."""
+    """Return positions of runs and bands, with columns wide enough for returning bands."""
     deep = depths(graph, scale, cells, [row.number for row in rows])
     courses = {
         number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]
@@ -110,13 +108,6 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
     }
     needed = {row.number: row.needed for row in rows}
     spaced = across(graph, cells, courses, needed, scale)
-    for _ in range(TRIES):
-        narrow = crowded(rows, spaced)
-        if not narrow:
-            break
-        for number in narrow:
-            needed[number] = GROWTH * (spaced.leaving[number] - spaced.arriving[number])
-        spaced = across(graph, cells, courses, needed, scale)
     boxes = {
         cell.number: Box(
             cell, spaced.middle(layer), deep.middles[layer, cell.number] - cell.thick / 2

@@ -13,6 +13,7 @@ from vstatics.core.groups import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, width
+from vstatics.pictures.drawing.pages import pages_of
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title
@@ -78,7 +79,7 @@ def sheets(
 
     shelves = filled(blocks, room, attrgetter("wide"), FLOW_GEAR_GAP)
     left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
-    for page in _pages(shelves, left_over):
+    for page in pages_of(_together(shelves), left_over, _all_high):
         wide = max(room, *(block.wide for shelf in page for block in shelf))
         high = _all_high(page) + BELOW_TEXT + WIDE_MARGIN
         pen = head_of(page).over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
@@ -122,21 +123,6 @@ def _high(shelf: Sequence[FlowBlock]) -> float:
 
 def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
     return max(block.gap for block in (*shelf, *following))
-
-
-def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
-    """Yield the shelves of each page. Rows of a gear are on the same page if possible."""
-    page: list[list[FlowBlock]] = []
-    for shelf_group in _together(shelves):
-        if page and _all_high([*page, *shelf_group]) > room:
-            yield page
-            page = []
-        for shelf in shelf_group:
-            if page and _all_high([*page, shelf]) > room:
-                yield page
-                page = []
-            page.append(shelf)
-    yield page
 
 
 def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:

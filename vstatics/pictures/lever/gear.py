@@ -11,8 +11,8 @@ from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, Transmission
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.roles import IDLE, ONE_PIECE, Role, roles
-from vstatics.pictures.drawing.gear_state import PictureState, shown_of
+from vstatics.core.statics.roles import IDLE, ONE_PIECE, Role
+from vstatics.pictures.drawing.gear_state import PictureState, state_of
 from vstatics.pictures.drawing.tolerances import NO_LEVER_TORQUE
 from vstatics.pictures.lever.points import Lever, held_for_good
 
@@ -90,7 +90,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     ([[1.0, -3.5, 2.5]], {(0, 2): ['T1']})
     """
     whole = results.gear_at(number - 1)
-    state, members = shown_of(whole), whole.member_torques(lossy=False)
+    state, members = state_of(results, number), whole.member_torques(lossy=False)
     by_member = [
         {name: plain(torque) for name, torque in torque_map.items()} for torque_map in members
     ]
@@ -98,13 +98,13 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
         [_torque(node.sources, by_member) for node in lever.nodes if lever.devices]
         for lever in drawn
     ]
-    case, spots, device_roles = results.case, spots_of(drawn), roles(results, number - 1)
+    case, spots = results.case, spots_of(drawn)
     grounds = _grounds(case, state, drawn, spots)
     engaged = {number: case.shift_elements[number - 1] for number in state.gear.carrying}
     ties = [*joins(drawn), *ties_of(case, engaged.values(), spots)]
     first = whole.torques.on_first_link
     carried = {element.name: plain(first[number - 1]) for number, element in engaged.items()}
-    does = [{device_roles[device] for device in lever.devices} for lever in drawn]
+    does = [{state.roles[device] for device in lever.devices} for lever in drawn]
     gear = LeverGear(state, torques, does, grounds, ties, carried, {})
     for place, node in _acts(gear, drawn):
         gear.loads.setdefault(drawn[place].nodes[node].link, set()).add(place)

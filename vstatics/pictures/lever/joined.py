@@ -24,9 +24,9 @@ class LeverRoute(NamedTuple):
     tie: LeverTie
     pieces: Sequence[Sequence[BandPoint]]
     """Points of the line, as a separate piece in each row of levers."""
-    sign: BandPoint | None = None
+    sign: BandPoint | None
     """Position of the symbol of a clutch or spring, if any."""
-    is_upright: bool = False
+    is_upright: bool
     """True if the symbol is on a vertical part of the line."""
 
     @property

@@ -11,7 +11,7 @@ from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.drawing.canvas import Look, Outline, Point
 from vstatics.pictures.drawing.gear_state import PictureState
 from vstatics.pictures.drawing.labels import Span
-from vstatics.pictures.drawing.pen import Pen, corners
+from vstatics.pictures.drawing.pen import Pen, corners, zigzag
 from vstatics.pictures.lever.places import LeverPage
 
 ARROW_HEAD = 5.0
@@ -125,8 +125,7 @@ def plates(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
 
 def coil(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
     """Draw the symbol of a spring, on a horizontal or vertical line."""
-    turns = [(-6 + 2 * step, (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
-    places = [_turned(place, turn, upright=upright) for turn in (*turns, (6, 0))]
+    places = [_turned(place, turn, upright=upright) for turn in zigzag(0.0, 0.0, 6.0, 3.5)]
     sheet.line(*places, colour=sheet.pen.style.ink)
 
 

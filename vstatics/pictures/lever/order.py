@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
+from operator import itemgetter
 
 from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.tolerances import SAME_LEVER_COST
@@ -144,15 +145,11 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
 
 def _cross(first: tuple[float, float, bool], second: tuple[float, float, bool]) -> bool:
     """Return whether two lines cross in a gap, given the heights at both ends."""
-    (start, end, is_back), (start2, end2, is_back2) = first, second
-    if is_back and is_back2:
-        (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
-        return low < low2 < high < high2 or low2 < low < high2 < high
+    (*ends, is_back), (start, end, are_both_back) = sorted((first, second), key=itemgetter(2))[::-1]
+    low, high = sorted(ends)
     if is_back:
-        return min(start, end) < start2 < max(start, end)
-    if is_back2:
-        return min(start2, end2) < start < max(start2, end2)
-    return (start - start2) * (end - end2) < 0
+        return sum(low < y < high for y in (start, end)[: 1 + are_both_back]) == 1
+    return (start - ends[0]) * (end - ends[1]) < 0
 
 
 def _turn(place: int) -> Move:

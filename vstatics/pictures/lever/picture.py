@@ -14,6 +14,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.labels import Span, height, title_width, wrapped
+from vstatics.pictures.drawing.pages import pages_of
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import TITLE, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.words import gear_title, title
@@ -107,7 +108,7 @@ class LeverPaper(NamedTuple):
     def figure(self, blocks: Sequence[LeverBlock]) -> Canvas:
         """Return a page with rows of levers, from top to bottom."""
         key = self.key([block.gear for block in blocks])
-        high = self.above + sum(block.size for block in blocks) + key.height + WIDE_MARGIN
+        high = self.above + _all_high(blocks) + key.height + WIDE_MARGIN
         pen = blank(self.wide, high, self.style)
         sheet = LeverSheet(pen, self.page, self.speeds, self.per_torque, {}, {})
         pen.text(WIDE_MARGIN, high - WIDE_MARGIN, self.head, va="top", size=TITLE, bold=True)
@@ -132,19 +133,12 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Ca
     head = wrapped(head, wide - 2 * WIDE_MARGIN, title_width)
     paper = LeverPaper(page, style, wide, head, *_scales(page, gears))
     room = style.height - paper.above - paper.key(gears).height - WIDE_MARGIN
-    sheets: list[list[LeverBlock]] = [[]]
-    for of_gear in _blocks(page, gears, wide, style):
-        left = room - sum(block.size for block in sheets[-1])
-        if sheets[-1] and left < sum(block.size for block in of_gear) <= room:
-            sheets.append([])
-        for block in of_gear:
-            if (
-                sheets[-1]
-                and sum(placed_block.size for placed_block in (*sheets[-1], block)) > room
-            ):
-                sheets.append([])
-            sheets[-1].append(block)
-    return [paper.figure(blocks) for blocks in sheets]
+    sheets = pages_of(_blocks(page, gears, wide, style), room, _all_high)
+    return [*map(paper.figure, sheets)]
+
+
+def _all_high(blocks: Sequence[LeverBlock]) -> float:
+    return sum(block.size for block in blocks)
 
 
 def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:

@@ -28,7 +28,7 @@ BESIDE_SIGN = 8.0
 MOST_ORDERED = 6
 """Largest number of vertical parts in a gap for which all orders are tried."""
 OVERLAP_COST = 10
-"""Cost of a line that overlaps with a different link or covers a clutch, in crossings. [-]"""
+"""Cost of a line that overlaps with a different link, in crossings. [-]"""
 
 
 class LeverRow(NamedTuple):
@@ -211,13 +211,6 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
     )
 
 
-def _hides(signed: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
-    """Return whether the neighbouring piece `other` passes through the symbol of `signed`."""
-    height = signed.end if signed.is_late else signed.start
-    levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
-    return signed.is_signed and not signed.is_upright and any(levels)
-
-
 def _crossings(ordered: Sequence[LeverStep]) -> int:
     count = 0
     for place, left_step in enumerate(ordered):
@@ -228,8 +221,6 @@ def _crossings(ordered: Sequence[LeverStep]) -> int:
             count += OVERLAP_COST * (
                 not left_step.is_back and abs(left_step.end - right_step.start) < 1
             )
-            count += OVERLAP_COST * _hides(left_step, right_step, is_after=True)
-            count += OVERLAP_COST * _hides(right_step, left_step, is_after=False)
     return count
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.core.errors import CaseError
@@ -27,6 +27,8 @@ class Condition(NamedTuple):
 
 
 Conditions = frozenset[Condition]
+FreeOutput = Callable[[int, int, Conditions], bool]
+"""The function `is_free` for a case, whose results are remembered."""
 
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
@@ -66,57 +68,44 @@ def elements_of(case: Transmission, gear: Gear, some: Conditions) -> tuple[int, 
     )
 
 
-class FreeOutputs:
-    """Cached checks whether constraints leave the output speed undetermined."""
+def is_free(case: Transmission, first: int, last: int, chosen: Conditions) -> bool:
+    """Check whether constraints leave the output speed open for a given input speed."""
+    return math.isnan(speeds_under(case, first, last, sorted(chosen))[last - 1])
 
-    def __init__(self, case: Transmission) -> None:
-        """Begin with an empty cache for a case."""
-        self._case = case
-        self._known: dict[tuple[int, int, Conditions], bool] = {}
 
-    def is_free(self, first: int, last: int, chosen: Conditions) -> bool:
-        """Check whether constraints leave the output speed open for a given input speed."""
-        key = first, last, chosen
-        if key not in self._known:
-            speeds = speeds_under(self._case, first, last, sorted(chosen))
-            self._known[key] = math.isnan(speeds[last - 1])
-        return self._known[key]
+def largest(
+    gear: PictureState, given: Conditions, free: FreeOutput
+) -> Iterator[tuple[Condition, ...]]:
+    """Yield the largest subsets of a gear's constraints that leave the output undetermined.
 
-    def largest(self, gear: PictureState, given: Conditions) -> Iterator[tuple[Condition, ...]]:
-        """Yield the largest subsets of a gear's constraints that leave the output undetermined.
+    Every such subset lacks at least one constraint of each minimal set that determines the
+    output. The search therefore removes only constraints of such a minimal set.
 
-        Every such subset lacks at least one constraint of each minimal set that determines the
-        output. The search therefore removes only constraints of such a minimal set.
-
-        Raises
-        ------
-        CaseError
-            If the gear has too many such subsets.
-        """
-        maximal: list[Conditions] = []
-        seen: set[Conditions] = set()
-        waiting = [given]
-        while waiting:
-            chosen = waiting.pop()
-            if chosen in seen or any(larger >= chosen for larger in maximal):
-                continue
-            seen.add(chosen)
-            if len(seen) > MOST_STATES:
-                message = (
-                    f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
-                )
-                raise CaseError(
-                    "E406", f"{message}: its shift elements are equivalent in many ways"
-                )
-            if self.is_free(gear.input, gear.output, chosen):
-                maximal = [smaller for smaller in maximal if not chosen > smaller] + [chosen]
-                continue
-            needed = chosen
-            for condition in sorted(chosen):
-                if not self.is_free(gear.input, gear.output, needed - {condition}):
-                    needed -= {condition}
-            waiting += [chosen - {condition} for condition in sorted(needed)]
-        yield from (tuple(sorted(subset)) for subset in maximal)
+    Raises
+    ------
+    CaseError
+        If the gear has too many such subsets.
+    """
+    maximal: list[Conditions] = []
+    seen: set[Conditions] = set()
+    waiting = [given]
+    while waiting:
+        chosen = waiting.pop()
+        if chosen in seen or any(larger >= chosen for larger in maximal):
+            continue
+        seen.add(chosen)
+        if len(seen) > MOST_STATES:
+            message = f"gear {gear.gear.name} has too many plans, {MOST_STATES} are drawn at most"
+            raise CaseError("E406", f"{message}: its shift elements are equivalent in many ways")
+        if free(gear.input, gear.output, chosen):
+            maximal = [smaller for smaller in maximal if not chosen > smaller] + [chosen]
+            continue
+        needed = chosen
+        for condition in sorted(chosen):
+            if not free(gear.input, gear.output, needed - {condition}):
+                needed -= {condition}
+        waiting += [chosen - {condition} for condition in sorted(needed)]
+    yield from (tuple(sorted(subset)) for subset in maximal)
 
 
 def speeds_under(

@@ -67,7 +67,7 @@ def plan_signs(
     shown: Sequence[KinematicPlan],
     ranges: Sequence[AxisScale],
     style: Style,
-    runs: Sequence[NDArray[np.bool_]] = (),
+    runs: Sequence[NDArray[np.bool_]],
 ) -> list[Meaning]:
     """Return the legend of plans.
 

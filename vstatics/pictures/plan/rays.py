@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cache, partial
 from typing import NamedTuple
 
 from vstatics.core.errors import CaseError
@@ -24,10 +25,12 @@ from vstatics.pictures.drawing.gear_state import PictureState, state_of
 from vstatics.pictures.plan.conditions import (
     Condition,
     Conditions,
-    FreeOutputs,
+    FreeOutput,
     carrying,
     conditions,
     elements_of,
+    is_free,
+    largest,
     speeds_under,
 )
 
@@ -118,11 +121,11 @@ def plans(results: Results) -> list[KinematicPlan]:
         if math.isfinite(gear.speeds[gear.output]) and not gear.gear.slipping
     }
     carried = {number: carrying(case, gear) for number, gear in known.items()}
-    free = FreeOutputs(case)
+    free = cache(partial(is_free, case))
     states = dict.fromkeys(
         (gear.input, gear.output, state)
         for number, gear in known.items()
-        for state in free.largest(gear, carried[number])
+        for state in largest(gear, carried[number], free)
     )
     if not states:
         message = "a kinematic plan shows the speeds that all shift elements but one leave free"
@@ -173,7 +176,7 @@ def _marks(
     gears: dict[int, PictureState],
     carried: dict[int, Conditions],
     state: Sequence[Condition],
-    free: FreeOutputs,
+    free: FreeOutput,
 ) -> tuple[Mark, ...]:
     """Return the marks of the gears that share the constraints `state`, for the horizontal axis.
 
@@ -184,7 +187,7 @@ def _marks(
     for number, gear in gears.items():
         further = carried[number] - common
         if not conditions(case, gear.gear) >= common or any(
-            free.is_free(gear.input, gear.output, common | {condition}) for condition in further
+            free(gear.input, gear.output, common | {condition}) for condition in further
         ):
             continue
         mark = Mark((number,), gear.speeds[gear.output], elements_of(case, gear.gear, further))

@@ -62,10 +62,10 @@ class Tap(NamedTuple):
     """Direction in which the line of the link leaves: `ABOVE` or `BELOW`."""
     x: float
     """Distance from the left end of the gear set. [pt]"""
-    label: str = ""
+    y: float
+    """Height of the start of the link's line, from the middle of the row of planets. [pt]"""
+    label: str
     """Name of the member of the gear set."""
-    depth: float = 0.0
-    """Distance from the middle of the row of planets to the start of the link's line. [pt]"""
 
 
 class Stroke(NamedTuple):
@@ -98,11 +98,6 @@ class Glyph(NamedTuple):
         """Largest distance of any line above or below the middle of the row [pt]."""
         heights = [abs(y) for stroke in self.strokes for _, y in stroke.points]
         return max(heights, default=0.0)
-
-
-def member_tap(member: str, link: int, side: int, x: float, y: float) -> Tap:
-    """Return the point where a member's link leaves a gear set, above or below."""
-    return Tap(link, side, x, member, side * y)
 
 
 def teeth(x: float, y: float, half: float = FACE) -> Stroke:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import PlanetGroup, group_of
 from vstatics.core.elements.kinds import Planetary
 from vstatics.core.model.parts import Mechanism
@@ -68,11 +68,6 @@ def bare_group(mechanism: Mechanism) -> PlanetGroup:
     """
     first, second, carrier = mechanism.links
     sun, ring = (first, second) if abs(mechanism.ratio) >= 1 else (second, first)
-    is_simple = mechanism.ratio < 0
-    rims = ("planet",) if is_simple else ("inner", "outer")
-    wheels = [
-        CentralWheel("sun", sun, 1, internal=False, rim=rims[0]),
-        CentralWheel("ring", ring, 1, internal=True, rim=rims[-1]),
-    ]
-    meshes = [] if is_simple else [("inner", "outer")]
-    return PlanetGroup(carrier, wheels, {rim: {rim: None} for rim in rims}, meshes)
+    members = {"sun": sun, "ring": ring, "carrier": carrier}
+    kind = "planetary" if mechanism.ratio < 0 else "double_planet"
+    return group_of(Element("", kind, members, {"sun": 1, "ring": 3}))

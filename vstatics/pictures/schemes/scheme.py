@@ -15,6 +15,7 @@ from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import ELEMENT_KINDS
 from vstatics.core.model.springs import Spring, TwistCurve, ends
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.statics.roles import ONE_PIECE
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
@@ -125,20 +126,6 @@ class Scheme:
     def name(self, link: int) -> str:
         """Return the name of a link."""
         return self.links[link - 1]
-
-    @property
-    def ends(self) -> tuple[list[int], list[int]]:
-        """Links that begin at the left end of the picture, and links that end at the right end.
-
-        A link with fewer than two components also extends to an end, where its name has room.
-        """
-        left = [port.link for port in self.ports if port.is_left]
-        right = [port.link for port in self.ports if not port.is_left]
-        for link in range(1, len(self.links) + 1):
-            joined = sum(link in device.links for device in self.devices)
-            if joined < 2 and link not in [*left, *right]:
-                right.append(link)
-        return left, list(dict.fromkeys(right))
 
 
 def scheme_of(case: Transmission) -> Scheme:
@@ -262,7 +249,7 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
             links = device.links & state.loaded_links[place]
             if not links:
                 idle.add(place)
-            elif state.is_still[place] and device.kind != "held":
+            elif state.roles[place] == ONE_PIECE:
                 pieces.add(place)
         loaded.append(links)
         ends += links

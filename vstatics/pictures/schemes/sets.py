@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations, product
 from operator import itemgetter
+from typing import Self
 
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
-from vstatics.core.model.empty import EMPTY
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import Segment, Span, width
 from vstatics.pictures.drawing.style import SMALL
@@ -26,7 +26,6 @@ from vstatics.pictures.schemes.gear_glyphs import (
     Glyph,
     Stroke,
     Tap,
-    member_tap,
     teeth,
 )
 
@@ -38,7 +37,6 @@ PLANE_DISTANCE = 34.0
 """Distance between planes of gears. [pt]"""
 CARRIER_ARM = 16.0
 """Distance from the outermost gear to the arm of the carrier. [pt]"""
-NO_NAMES: Mapping[str, str] = EMPTY
 LEFT, RIGHT = 0, 1
 MOST_COLUMNS = 6
 """Largest number of columns for which all orders are tried."""
@@ -66,11 +64,16 @@ class HalfSection:
     group: PlanetGroup
     levels: Mapping[str, int]
     """Level of each planet, from 0 at the sun."""
-    columns: Sequence[WheelColumn] = field(default_factory=list)
+    columns: Sequence[WheelColumn]
     names: Mapping[str, str] = field(default_factory=dict)
     """Text next to each gear, by the name of the gear."""
     letters: float = 1.0
     """Ratio of the size of letters to lengths. [-]"""
+
+    def with_teeth_alone(self) -> Self:
+        """Return a copy in which gears have tooth numbers without names."""
+        texts = {member: name.rpartition(" ")[2] for member, name in self.names.items()}
+        return replace(self, names=texts)
 
     def x(self, column: int) -> float:
         """Return the position of the plane of a column, from the left end [pt]."""
@@ -242,72 +245,28 @@ def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[i
     return sides
 
 
-def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
-    """Return all drawings of a planet group: as given or mirrored, carrier left or right.
-
-    Parameters
-    ----------
-    names : mapping of str to str, optional
-        Texts next to gears, by the name of the gear.
-    """
-    section = replace(section_of(group), names=names)
-    turned = replace(section, columns=list(section.columns)[::-1])
-    ways = [section] if len(section.columns) == 1 else [section, turned]
+def set_glyphs(section: HalfSection) -> list[Glyph]:
+    """Return all drawings of a gear set: as given or mirrored, carrier left or right."""
+    turned = replace(section, columns=section.columns[::-1])
+    ways = [section, turned][: len(section.columns)]
     return [glyph for way in ways for glyph in _glyphs(way)]
 
 
 def _glyphs(section: HalfSection) -> Iterator[Glyph]:
-    fixed, wheels = planet_strokes(section), list(wheel_taps(section))
-    strokes = [*fixed, *(teeth(tap.x, tap.side * tap.depth) for tap in wheels)]
-    planets, texts = section.group.planets, list(wheel_texts(section, wheels))
-    for sides in _arm_sides(section):
-        arms = dict(zip(planets, sides, strict=True))
-        bars, ends = _arms(section, arms)
-        directions = [(ABOVE,), (BELOW,), (ABOVE, BELOW)]
-        if not section.group.carrier:
-            directions = directions[:2]
-        for chosen in product(directions, repeat=len(ends)):
-            carrier = [
-                member_tap("carrier", section.group.carrier, way, x, high if way == ABOVE else low)
-                for (x, low, high), ways in zip(ends, chosen, strict=True)
+    wheels, carrier = list(wheel_taps(section)), section.group.carrier
+    texts = list(wheel_texts(section, wheels))
+    strokes = [*planet_strokes(section), *(teeth(tap.x, tap.y) for tap in wheels)]
+    directions = [(ABOVE,), (BELOW,), (ABOVE, BELOW)][: 3 if carrier else 2]
+    for is_left in (True, False):
+        pins, arms = axles(section, is_left=is_left, is_right=not is_left)
+        bars = [Stroke(line) for line in (*pins, *arms) if line[0] != line[1]]
+        for chosen in product(directions, repeat=len(arms)):
+            ends = [
+                Tap(carrier, way, *arm[way == ABOVE], "carrier")
+                for arm, ways in zip(arms, chosen, strict=True)
                 for way in ways
             ]
-            yield Glyph(section.width, [*strokes, *bars], [*wheels, *carrier], texts)
-
-
-def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """Return alternative sides on which the axles of the planets leave, a side for each planet.
-
-    All axles leave on the same side unless gears block them on both sides.
-    """
-    planets = list(section.group.planets)
-    clear = [
-        (side,) * len(planets)
-        for side in (LEFT, RIGHT)
-        if not any(section.barred(planet, side) for planet in planets)
-    ]
-    nearest = (min((LEFT, RIGHT), key=lambda s: section.barred(p, s)) for p in planets)
-    return clear or [tuple(nearest)]
-
-
-def _arms(
-    section: HalfSection, arms: Mapping[str, int]
-) -> tuple[list[Stroke], list[tuple[float, float, float]]]:
-    """Return axles and carrier arms; each arm has a position, a lower and an upper end [pt]."""
-    strokes: list[Stroke] = []
-    ends: list[tuple[float, float, float]] = []
-    for side, x in ((LEFT, 0.0), (RIGHT, section.width)):
-        heights = []
-        for planet in (planet for planet, chosen in arms.items() if chosen == side):
-            planes, y = section.planes(planet), section.y(section.levels[planet])
-            far = section.x(planes[-1]) + 5 if side == LEFT else section.x(planes[0]) - 5
-            strokes.append(Stroke(((x, y), (far, y))))
-            heights.append(y)
-        if heights:
-            if max(heights) > min(heights):
-                strokes.append(Stroke(((x, min(heights)), (x, max(heights)))))
-            ends.append((x, min(heights), max(heights)))
-    return strokes, ends
+            yield Glyph(section.width, [*strokes, *bars], [*wheels, *ends], texts)
 
 
 def planet_strokes(section: HalfSection) -> list[Stroke]:
@@ -336,14 +295,14 @@ def wheel_taps(section: HalfSection) -> Iterator[Tap]:
         for wheel, level, way in ((column.sun, low, BELOW), (column.ring, high, ABOVE)):
             if wheel is not None:
                 y = section.y(level) + way * (section.radius(column.rims[level]) + MESH)
-                yield member_tap(wheel.member, wheel.link, way, section.x(number), y)
+                yield Tap(wheel.link, way, section.x(number), y, wheel.member)
 
 
 def wheel_texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
     """Yield names of suns and rings next to the meshes, and of planet gears."""
     for tap in wheels:
         if tap.label in section.names:
-            at = tap.x + 3, tap.side * (tap.depth + 2.0)
+            at = tap.x + 3, tap.y + 2.0 * tap.side
             yield at, "bottom" if tap.side == ABOVE else "top", section.names[tap.label]
     for rim, planet in section.group.planet_of.items():
         if rim in section.names:

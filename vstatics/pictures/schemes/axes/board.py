@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import permutations
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
@@ -27,7 +26,7 @@ class StationOrder(NamedTuple):
     groups: tuple[tuple[int, ...], ...]
     """Groups of stations that stay together, from left to right, as indices of stations."""
     ways: tuple[int, ...]
-    """Variant of each station: how a gear set is drawn, or the order of clutch packs in a drum."""
+    """Variant of each station: how a gear set or the wheels of a pair are drawn."""
     drums: frozenset[int] = frozenset()
     """Numbers of links that are drawn as drums around gear sets and symbols."""
     rightward: frozenset[int] = frozenset()
@@ -74,11 +73,6 @@ class AxesBoard:
         return {
             (first, second): not rows[first] & rows[second] for first in count for second in count
         }
-
-    @cached_property
-    def halves(self) -> Sequence[float]:
-        """Half the width of each station [pt]."""
-        return [station.half for station in self.stations]
 
     @cached_property
     def occupied(self) -> Sequence[Sequence[int]]:
@@ -231,8 +225,6 @@ class AxesBoard:
         station = self.stations[index]
         if station.kind == "set":
             return len(station.glyphs)
-        if station.kind == "drum":
-            return len(list(permutations(station.devices)))
         return 2 if station.kind == "differential" or self.bell(index, 0)[1] else 1
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import permutations
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
-from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
+from vstatics.pictures.schemes.axes.stations import CAGE, WHEEL, Station
 from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 
 STUB = 12.0
@@ -41,9 +41,7 @@ def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Ite
     for index, station in enumerate(board.stations):
         first += _fixed(board, chosen, index, station, xs[index])
     yield from first
-    middle: dict[int, list[float]] = {}
-    for contact in first:
-        middle.setdefault(contact.link, []).append(contact.x)
+    middle = grouped((contact.link, contact.x) for contact in first)
     sided = [n for n, station in enumerate(board.stations) if station.has_two_sides]
     for index in sided:
         for link in board.stations[index].links:
@@ -91,8 +89,6 @@ def _fixed(
         for place, link in enumerate(station.links):
             at = x + station.half * (2 * place + 1 - len(station.links)) / len(station.links)
             yield AxisContact(link, at, device, "sign")
-    elif station.kind == "drum":
-        yield from _of_drum(station, chosen.ways[index], x)
     elif station.kind in ("differential", "section"):
         yield from _of_ends(station, chosen.ways[index], x)
     elif station.kind == "set":
@@ -126,15 +122,6 @@ def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
     left, right = sides[:: -1 if way else 1]
     for link, at in ((left, -CAGE), (right, CAGE), (cage, -CAGE), (cage, CAGE)):
         yield AxisContact(link, x + at, station.devices[0], "bar")
-
-
-def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Yield the points where links meet a clutch drum: at its wall and under each clutch pack."""
-    order = list(permutations(range(len(station.devices))))[way]
-    for place, number in enumerate(order):
-        yield AxisContact(station.links[0], x - station.half, station.devices[number], "sign")
-        at = x + PACK_PITCH * (place - (len(order) - 1) / 2)
-        yield AxisContact(station.links[1 + number], at, station.devices[number], "sign")
 
 
 def port_contacts(
@@ -178,8 +165,7 @@ def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]
     The line of a link on the far side leads around the edge of the gear set.
     """
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
-    end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):
-        return AxisContact(tap.wire, at, device, "set", end)
+        return AxisContact(tap.wire, at, device, "set", tap.y)
     edge = x + half if at >= x else x - half
-    return AxisContact(tap.wire, edge, device, "set", end, at - edge)
+    return AxisContact(tap.wire, edge, device, "set", tap.y, at - edge)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
 from vstatics.pictures.drawing.style import Style
@@ -10,11 +11,12 @@ from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
-from vstatics.pictures.schemes.axes.row_sections import RowSection, row_sections
+from vstatics.pictures.schemes.axes.row_sections import row_sections
 from vstatics.pictures.schemes.axes.rows import axis_rows
 from vstatics.pictures.schemes.axes.search import arranged, passing
 from vstatics.pictures.schemes.axes.stations import stations_of
-from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS
+from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS, placed_by_letters
+from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
@@ -36,16 +38,22 @@ def placed(
     The diagram also fits the height of a page if possible.
     """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
-    chosen = _chosen(scheme, axes, inner)
+    nameless = {index: replace(section, names={}) for index, section in sections.items()}
+    chosen = _chosen(scheme, axes, nameless, inner)
     # If a link would pass through a half-section, all components are drawn as separate stations.
     if chosen is None:
-        inner, chosen = [], _chosen(scheme, axes, [])
+        inner, chosen = [], _chosen(scheme, axes, nameless, [])
     assert chosen is not None  # noqa: S101 - without half-sections, no link can pass through one
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
-        layouts = [section.laid_out(1 / part, letters, is_small=is_small) for section in inner]
-        stations = stations_of(scheme, axes, style, letters, layouts)
+        layouts = [
+            placed_by_letters(
+                bare._replace(letters=1 / part, line_letters=letters, is_small=is_small)
+            )
+            for bare in inner
+        ]
+        stations = stations_of(scheme, axes, style, letters, sections, layouts)
         rows = axis_rows(axes, stations, 1 / part)
         for gap in GAPS:
             board = AxesBoard(axes, rows, stations, scheme.ports, gap)
@@ -60,11 +68,15 @@ def placed(
     return placing
 
 
-def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
+def _chosen(
+    scheme: Scheme,
+    axes: ParallelAxes,
+    sections: Mapping[int, HalfSection],
+    inner: Sequence[CoaxialLayout],
+) -> StationOrder | None:
     """Return the best order of the stations, unless a link would pass through a half-section."""
-    stations = stations_of(
-        scheme, axes, Style(), sections=[section.laid_out() for section in inner]
-    )
+    layouts = [placed_by_letters(bare._replace(line_letters=LETTERS)) for bare in inner]
+    stations = stations_of(scheme, axes, Style(), LETTERS, sections, layouts)
     placing = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
     for station, x in zip(stations, placing.xs, strict=True):
         if station.layout is not None and any(passing(placing, station, x)):

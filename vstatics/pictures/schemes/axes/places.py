@@ -62,8 +62,8 @@ class AxesPlaces(NamedTuple):
     def port_height(self, link: int) -> float:
         """Return the height of the arrow of a link above the axis; nested shafts differ [pt]."""
         span = self.spans[link]
-        if span.level <= 0:
-            return span.height
+        if span.level <= 0:  # the line of a drum at the input begins at the axis
+            return span.height * (link not in self.board.entry)
         return self.bases[self.axis_of(link)] + PORT_PITCH * span.level - 2.0
 
     def road_end(self, link: int) -> float:
@@ -139,10 +139,10 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
     """
     edges: dict[int, float] = {}
     shared: set[int] = set()
-    xs, halves, gap = [0.0] * len(order), board.halves, board.gap
+    xs, gap = [0.0] * len(order), board.gap
     first: list[int] = []  # stations on one axis only, before any station that several axes share
     for index in order:
-        rows, half = board.occupied[index], halves[index]
+        rows, half = board.occupied[index], board.stations[index].half
         start = 0.0
         for row in rows:
             if edges.get(row, 0.0) > start:
@@ -156,7 +156,7 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
             edges[row] = start + 2 * half + gap
     starts: dict[int, float] = {}
     for index in reversed(order) if first else ():
-        rows, half = board.occupied[index], halves[index]
+        rows, half = board.occupied[index], board.stations[index].half
         if index in first and rows[0] in starts:
             xs[index] = max(xs[index], starts[rows[0]] - gap - half)
         for row in rows:

@@ -6,50 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from math import inf
-from typing import NamedTuple
 
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, is_bare_differential
-from vstatics.pictures.schemes.axes.stations import drum_of
-from vstatics.pictures.schemes.coaxial.fitting import placed_by_letters
+from vstatics.pictures.schemes.coaxial.fitting import arranged
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.layout import SectionFrame, framed
-from vstatics.pictures.schemes.coaxial.places import SectionPlaces
-from vstatics.pictures.schemes.coaxial.search.order import component_order
-from vstatics.pictures.schemes.coaxial.section import CoaxialScheme, coaxial_scheme
+from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
 
 FEWEST_SETS = 2
 """Smallest number of gear sets in a half-section on an axis."""
-
-
-class RowSection(NamedTuple):
-    """Half-section of the gear sets and shift elements between two links of an axis."""
-
-    coaxial: CoaxialScheme
-    frame: SectionFrame
-    is_ordered: bool
-    named_beside: frozenset[int]
-    """Numbers of links whose names are next to arrows instead of inside the half-section."""
-
-    def laid_out(
-        self, letters: float = 1.0, line_letters: int = 12, *, is_small: bool = False
-    ) -> CoaxialLayout:
-        """Return the layout with letters enlarged by a factor relative to lengths.
-
-        Names longer than `line_letters` are broken into lines. A small layout has no names of
-        links.
-        """
-        bare = CoaxialLayout(
-            self.coaxial,
-            SectionPlaces(self.frame, 0.0),
-            self.is_ordered,
-            is_small=is_small,
-            letters=letters,
-            line_letters=line_letters,
-            named_beside=self.named_beside,
-        )
-        return placed_by_letters(bare)
 
 
 def row_sections(
@@ -58,20 +24,19 @@ def row_sections(
     sections: Mapping[int, HalfSection],
     *,
     is_ordered: bool = False,
-) -> Iterator[RowSection]:
-    """Yield the part of each axis that has several gear sets between two links.
+) -> Iterator[CoaxialLayout]:
+    """Yield the part of each axis with several gear sets between two links, without positions.
 
     Parameters
     ----------
     sections : mapping of int to HalfSection
         Half-sections of gear sets, and of mechanisms that can be gear sets, by index in the scheme.
     """
-    drum = {*drum_of(scheme)}
     for number in range(len(axes.axes)):
         inside, ends = _between_ends(scheme, axes, number, sections)
         sets = [index for index in sorted(inside) if index in sections]
         divides = any(is_bare_differential(scheme.devices[index]) for index in inside)
-        if len(ends) != 2 or len(sets) < FEWEST_SETS or drum & inside or divides:
+        if len(ends) != 2 or len(sets) < FEWEST_SETS or divides:
             continue
         ports = [
             SchemePort(link, role) for link, role in zip(ends, ("before", "behind"), strict=True)
@@ -80,11 +45,7 @@ def row_sections(
         part = replace(scheme, ports=ports)
         coaxial = coaxial_scheme(part, {index: sections[index] for index in sets}, left_out)
         if coaxial is not None and coaxial.train.end:
-            order = component_order(coaxial.train, is_ordered=is_ordered)
-            frame = framed(coaxial.train, order.steps)
-            yield RowSection(
-                coaxial, frame, order.is_ordered, frozenset(p.link for p in scheme.ports)
-            )
+            yield arranged(coaxial, (port.link for port in scheme.ports), is_ordered=is_ordered)
 
 
 def _between_ends(

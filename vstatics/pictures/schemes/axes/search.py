@@ -75,9 +75,8 @@ def _steps(board: AxesBoard) -> Iterator[Step]:
         if board.ways(index) > 1:
             yield partial(_turned, board, index=index)
     yield partial(_rerouted, board)
-    for length in (2, 3):
-        for index in range(count):
-            yield partial(_moved, board, index=index, length=length)
+    for index in range(count):
+        yield partial(_moved, board, index=index, length=2)
 
 
 def _moved(

@@ -11,22 +11,10 @@ IN_CHAINS = frozenset({"coupling", "pair"})
 
 
 def starts(board: AxesBoard) -> Iterator[StationOrder]:
-    """Yield an order along the shafts and, for small gearboxes, the order of the case."""
-    count = len(board.stations)
-    ways = (0,) * count
+    """Yield the order of the case, and an order along the shafts."""
     right = frozenset(port.link for port in board.ports if port.role != "input")
-    by_links = _by_links(board)
-    roles: dict[int, set[str]] = {}
-    for station in board.stations:
-        for tap in station.glyphs[0].taps if station.glyphs else ():
-            roles.setdefault(tap.wire, set()).add(tap.label)
-    drums = {link for link, labels in roles.items() if len(labels) > 1 and "ring" in labels}
-    orders = [_by_hubs(board, by_links), by_links, [*range(count)]]
-    for order in orders[: 1 if drums else 3]:
-        yield StationOrder(groups_of(board, order), ways, frozenset(), right)
-    if drums:
-        allowed = frozenset(drums & board.may_be_drums)
-        yield StationOrder(groups_of(board, orders[2]), ways, allowed, right)
+    for order in (range(len(board.stations)), _by_links(board)):
+        yield StationOrder(groups_of(board, order), (0,) * len(order), rightward=right)
 
 
 def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], ...]:
@@ -71,37 +59,6 @@ def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ..
     while ahead := [neighbour for neighbour in neighbours[chain[-1]] if neighbour not in chain]:
         chain.append(ahead[0])
     return tuple(chain)
-
-
-def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
-    """Return an order with the gears of each shaft together, and clutches between the gears."""
-    clutch: dict[int, int] = {}
-    for index, station in enumerate(board.stations):
-        for link in station.links if station.kind == "coupling" else ():
-            if link in board.idle:
-                clutch.setdefault(link, index)
-    groups: dict[object, list[tuple[int, int]]] = {}
-    for index in order:
-        station = board.stations[index]
-        idle_links = (
-            [link for link in station.links if link in clutch] if station.kind == "pair" else []
-        )
-        if len(idle_links) == 1:
-            (fixed,) = {*station.links} - {*idle_links}
-            groups.setdefault((fixed, board.idle[idle_links[0]]), []).append(
-                (index, clutch[idle_links[0]])
-            )
-    blocks = {}
-    for wheels in groups.values():
-        block: list[int] = []
-        for place, (wheel, dog) in enumerate(wheels):
-            block += [dog, wheel] if place % 2 else [wheel, dog]
-        blocks[wheels[0][0]] = block
-    used = {index for block in blocks.values() for index in block}
-    hub_order: list[int] = []
-    for index in order:
-        hub_order += blocks.get(index, [index] if index not in used else [])
-    return list(dict.fromkeys(hub_order))
 
 
 def _by_links(board: AxesBoard) -> list[int]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.elements.group import group_of
-from vstatics.core.elements.kinds import Planetary
-from vstatics.core.model.parts import Mechanism
+from vstatics.core.groups import grouped
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import SMALL, Style
@@ -16,17 +14,13 @@ from vstatics.pictures.schemes.axes.recognition import AxisJoint, ParallelAxes, 
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
 from vstatics.pictures.schemes.gear_glyphs import Glyph, lines_of
-from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
-from vstatics.pictures.schemes.sets import set_glyphs
-from vstatics.pictures.schemes.titles import teeth_of
+from vstatics.pictures.schemes.sets import HalfSection, set_glyphs
 
 SIGN = 16.0
 """Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
 SPRING = 24.0
 """Length of the symbol of a spring, with the connecting lines. [pt]"""
-PACK_PITCH = 24.0
-"""Distance between the plate packs in a drum. [pt]"""
 WHEEL = 5.0
 """Half the width of a gear. [pt]"""
 PIN = 7.0
@@ -41,16 +35,15 @@ class Station(NamedTuple):
     """Component, or group of components, drawn at a common position along the axes."""
 
     kind: str
-    """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``drum``, ``set``,
-    ``differential``, ``box``, or ``section`` (several gear sets).
+    """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``set``, ``differential``,
+    ``box``, or ``section`` (several gear sets).
     """
     devices: Sequence[int]
-    """Indices of the components in `Scheme.devices`. A drum has several clutches."""
+    """Indices of the components in `Scheme.devices`."""
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a `pair` in the order of the gears, of a `drum` the common link first,
-    of a `section` the left link first.
+    """Connected links: of a `pair` in the order of the gears, of a `section` the left link first.
     """
     half: float
     """Half the width of the station. [pt]"""
@@ -80,20 +73,27 @@ class Station(NamedTuple):
         return self.kind in ("coupling", "box") and len(self.links) == 2
 
 
-def stations_of(
+def stations_of(  # noqa: PLR0913, PLR0917 - parts of the gearbox and their style
     scheme: Scheme,
     axes: ParallelAxes,
     style: Style,
-    letters: int = 12,
-    sections: Sequence[CoaxialLayout] = (),
+    letters: int,
+    sections: Mapping[int, HalfSection],
+    layouts: Sequence[CoaxialLayout],
 ) -> list[Station]:
     """Return the stations of a gearbox in the order of the components.
 
-    Long names are broken into lines.
+    Parameters
+    ----------
+    letters : int
+        Number of letters above which a name is broken into lines.
+    sections : mapping of int to HalfSection
+        Half-sections of single gear sets, by index in the scheme.
+    layouts : sequence of CoaxialLayout
+        Half-sections of several gear sets.
     """
     joints = {joint.device: joint for joint in axes.joints}
-    drum = drum_of(scheme)
-    stations = [_section(layout, axes) for layout in sections]
+    stations = [_section(layout, axes) for layout in layouts]
     inside = {index for section in stations for index in section.devices}
     for index, device in enumerate(scheme.devices):
         if index in inside:
@@ -105,11 +105,14 @@ def stations_of(
             half = WHEEL + BEARING * bool(joint.frame)
             pair = Station("pair", (index,), rows, joint.links, half, names, joint)
             stations.append(pair._replace(teeth=_pair_teeth(device, style)))
-        elif index in drum[:1]:
-            stations.append(_drum(scheme, drum, axes))
-        elif index not in drum:
+        else:
             row = axes.of(next(iter(device.links)))
-            stations.append(_alone(index, device, row, names, style))
+            station = _alone(index, device, row, names, style)
+            if station.kind == "box" and index in sections:
+                glyphs = set_glyphs(sections[index].with_teeth_alone())
+                half = glyphs[0].width / 2
+                station = station._replace(kind="set", half=half, glyphs=glyphs)
+            stations.append(station)
     return list(_stacked(stations))
 
 
@@ -121,24 +124,15 @@ def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
     """Yield the stations; couplings between the same two links become a single station."""
-    taken: set[int] = set()
-    for place, station in enumerate(stations):
-        if place in taken:
-            continue
-        if station.kind == "coupling":
-            alike = [
-                number
-                for number, coupling in enumerate(stations)
-                if coupling.kind == station.kind and {*coupling.links} == {*station.links}
-            ]
-            taken |= {*alike}
-            couplings = [stations[number] for number in alike]
-            devices = [index for coupling in couplings for index in coupling.devices]
-            names = [name for coupling in couplings for name in coupling.names]
-            half = max(coupling.half for coupling in couplings)
-            yield station._replace(devices=devices, names=names, half=half)
-        else:
-            yield station
+    keyed: Iterator[tuple[object, Station]] = (
+        (frozenset(station.links) if station.kind == "coupling" else number, station)
+        for number, station in enumerate(stations)
+    )
+    for alike in grouped(keyed).values():
+        devices = [index for station in alike for index in station.devices]
+        names = [name for station in alike for name in station.names]
+        half = max(station.half for station in alike)
+        yield alike[0]._replace(devices=devices, names=names, half=half)
 
 
 def _alone(index: int, device: Device, row: int, names: Sequence[str], style: Style) -> Station:
@@ -153,9 +147,6 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
     is_differential = device.kind == "bevel" or is_bare_differential(device)
     if is_differential and len(set(links)) == len(device.members):
         return Station("differential", (index,), (row,), links, CAGE, names)
-    glyphs = set_ways(device, style)
-    if glyphs:
-        return Station("set", (index,), (row,), links, glyphs[0].width / 2, names, glyphs=glyphs)
     half = max(width(box_note(device, style), SMALL) / 2 + 3, 13.0, PIN * len(links))
     return Station("box", (index,), (row,), links, half, names)
 
@@ -170,53 +161,3 @@ def _pair_teeth(device: Device, style: Style) -> list[str]:
 def box_note(device: Device, style: Style) -> str:
     """Return the text in the box of a component whose gears are not known."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
-
-
-def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """Return all ways to draw a planetary gear set; empty for other components."""
-    if device.element is not None:
-        if not isinstance(device.element.shape, Planetary):
-            return []
-        counts = teeth_of(device.element) if style.wheels else {}
-        named = {gear: f"{count:g}" for gear, count in counts.items()}
-        return set_glyphs(group_of(device.element), named)
-    if device.kind != "mechanism" or "third" not in device.members:
-        return []
-    first, second, carrier = device.members.values()
-    return set_glyphs(bare_group(Mechanism(first, second, carrier, device.ratio)))
-
-
-def drum_of(scheme: Scheme) -> list[int]:
-    """Return the indices of clutches whose plate packs share a drum, as in a dual clutch.
-
-    >>> from vstatics.pictures.schemes.scheme import SchemePort
-    >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]
-    >>> drum_of(Scheme(["engine", "odd", "even"], clutches, [SchemePort(1, "input")]))
-    [0, 1]
-    """
-    at = next(port.link for port in scheme.ports if port.role == "input")
-    seen = {at}
-    while True:
-        if any(at in device.links for device in scheme.devices if not device.is_coupling):
-            return []
-        ahead = [
-            index
-            for index, device in enumerate(scheme.devices)
-            if at in device.links and not device.is_on_housing and not device.links <= seen
-        ]
-        if len(ahead) != 1:
-            break
-        (at,) = scheme.devices[ahead[0]].links - {at}
-        seen.add(at)
-    driven = {link for index in ahead for link in scheme.devices[index].links} - {at}
-    are_clutches = all(scheme.devices[index].kind == "clutch" for index in ahead)
-    return ahead if are_clutches and len(driven) == len(ahead) > 1 else []
-
-
-def _drum(scheme: Scheme, drum: Sequence[int], axes: ParallelAxes) -> Station:
-    links = [scheme.devices[index].links for index in drum]
-    (common,) = set.intersection(*links)
-    others = [next(iter(clutch_links - {common})) for clutch_links in links]
-    half = PACK_PITCH * len(drum) / 2 + 2
-    names = [lines_of(scheme.devices[index].name, 4) for index in drum]
-    return Station("drum", drum, (axes.of(common),), (common, *others), half, names)

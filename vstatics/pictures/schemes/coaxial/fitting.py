@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
@@ -68,18 +69,9 @@ def laid_out(
     is_ordered : bool
         True to keep gear sets in the order of the case, if a layout is found soon.
     """
-    arrangement = component_order(
-        coaxial.train, is_ordered=is_ordered, effort=BRIEF if coaxial.has_boxes else effort
-    )
-    ends = frozenset(
-        [coaxial.train.start, coaxial.train.end, *(port.link for port in coaxial.scheme.ports)]
-    )
-    bare = CoaxialLayout(
-        coaxial,
-        SectionPlaces(framed(coaxial.train, arrangement.steps), 0.0),
-        arrangement.is_ordered,
-        named_beside=ends,
-    )
+    ends = [coaxial.train.start, coaxial.train.end, *(port.link for port in coaxial.scheme.ports)]
+    effort = BRIEF if coaxial.has_boxes else effort
+    bare = arranged(coaxial, ends, effort=effort, is_ordered=is_ordered)
     for line_letters, without, has_teeth_alone in NAMED[: 1 if coaxial.has_boxes else None]:
         named = bare._replace(
             is_small=is_small or without,
@@ -90,6 +82,22 @@ def laid_out(
         if is_within(layout, wide) and layout.letters <= MOST_SHRUNK_NAMED:
             break
     return layout
+
+
+def arranged(
+    coaxial: CoaxialScheme,
+    named_beside: Iterable[int],
+    *,
+    is_ordered: bool,
+    effort: SearchEffort = FULL,
+) -> CoaxialLayout:
+    """Return the layout of a half-section without positions; parameters as in `laid_out`.
+
+    The links in `named_beside` have names next to arrows.
+    """
+    order = component_order(coaxial.train, is_ordered=is_ordered, effort=effort)
+    places = SectionPlaces(framed(coaxial.train, order.steps), 0.0)
+    return CoaxialLayout(coaxial, places, order.is_ordered, named_beside=frozenset(named_beside))
 
 
 def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:

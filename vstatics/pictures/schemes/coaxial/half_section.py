@@ -61,12 +61,9 @@ class CoaxialLayout(NamedTuple):
     def section(self, up: Upright) -> HalfSection:
         """Return the half-section of the gear set at an upright, mirrored if needed."""
         section = self.coaxial.sections[self.coaxial.sets[up.index]]
-        columns = list(section.columns)
-        turned = columns[::-1] if up.is_turned else columns
-        names = section.names
-        if self.has_teeth_alone:
-            names = {member: name.rpartition(" ")[2] for member, name in names.items()}
-        return replace(section, columns=turned, letters=self.letters, names=names)
+        section = section.with_teeth_alone() if self.has_teeth_alone else section
+        columns = section.columns[:: -1 if up.is_turned else 1]
+        return replace(section, columns=columns, letters=self.letters)
 
     def device(self, up: Upright) -> int:
         """Return the index in the scheme of the component at an upright; -1 without a component."""

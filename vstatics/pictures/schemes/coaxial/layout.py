@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from difflib import SequenceMatcher
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.coaxial.search.state import Bars, OrderStep
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
@@ -117,8 +118,6 @@ class _FrameMaker:
             self._start(step)
         if step.before is not None:
             self._go_to(*step.before)
-            if step.kind == "pair":
-                self._fold(step.before, step.bars[0])
         self._go_to(*step.bars[0])
         if step.kind == "set":
             self._set(step)
@@ -146,7 +145,7 @@ class _FrameMaker:
             self._note()
         if self.train.end:
             self._stand(Upright("end", 0, ends[:1]))
-        return _without_dead_ends(self.frame)
+        return _with_ends(self.frame)
 
     def _start(self, step: OrderStep) -> None:
         below, _ = step.bars[0]
@@ -182,18 +181,6 @@ class _FrameMaker:
         right = self._met(*(carrier * is_there for is_there in step.right))
         self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
 
-    def _fold(self, before: tuple[Bars, Bars], after: tuple[Bars, Bars]) -> None:
-        """Add a wall (vertical line) if a link turns back around the new bar of a pair."""
-        old, new = sum(before, ()), sum(after, ())
-        turned = [bar for bar in old if new.count(bar) > old.count(bar)]
-        if not turned:
-            return
-        rows = [tuple([bar for bar in row if bar in old]) for row in after]
-        place = [*pairwise(sum(rows, ()))].index((turned[0], turned[0]))
-        self._go_to(*rows)
-        ends = (self.below + self.above)[place : place + 2]
-        self._stand(Upright("wall", turned[0] >> 3, ends, ends))
-
     @staticmethod
     def _last_of(row: Sequence[Bar], link: int) -> Bar:
         return next(bar for bar in row[::-1] if bar.link == link)
@@ -220,43 +207,21 @@ class _FrameMaker:
         return [low, high]
 
 
-def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
-    """Remove walls (vertical lines) to bars that meet nothing else; set the ends of all bars."""
-    while True:
-        met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
-        uprights = [
-            up for up in frame.uprights if up.kind != "wall" or all(met[bar] > 1 for bar in up.bars)
-        ]
-        if len(uprights) == len(frame.uprights):
-            break
-        frame.uprights = uprights
-    for place, up in reversed([*enumerate(frame.uprights)]):
-        for bar in up.all_bars:
-            bar.first = place
-    for place, up in enumerate(frame.uprights):
-        for bar in up.all_bars:
-            bar.last = place
+def _with_ends(frame: SectionFrame) -> SectionFrame:
+    """Set the ends of all bars, and leave out bars that meet nothing."""
+    uprights = enumerate(frame.uprights)
+    met = grouped((bar, place) for place, up in uprights for bar in up.all_bars)
+    for bar, places in met.items():
+        bar.first, bar.last = places[0], places[-1]
     rows = [tuple([bar for bar in row if bar in met] for row in both) for both in frame.rows]
     frame.rows = [(below, above) for below, above in rows]
     return frame
 
 
 def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:
-    """Return bars of links. As many old bars as possible continue (longest common subsequence)."""
-    most = [[0] * (len(links) + 1) for _ in range(len(old) + 1)]
-    for a in range(len(old) - 1, -1, -1):
-        for b in range(len(links) - 1, -1, -1):
-            most[a][b] = max(
-                most[a + 1][b], most[a][b + 1], (old[a].link == links[b]) * (1 + most[a + 1][b + 1])
-            )
-    bars: list[Bar] = []
-    a = 0
-    for b, link in enumerate(links):
-        while a < len(old) and old[a].link != link and most[a + 1][b] == most[a][b]:
-            a += 1
-        if a < len(old) and old[a].link == link and most[a][b] == 1 + most[a + 1][b + 1]:
-            bars.append(old[a])
-            a += 1
-        else:
-            bars.append(Bar(link, is_above))
+    """Return bars of links. Old bars continue where the order of the links permits."""
+    bars = [Bar(link, is_above) for link in links]
+    common = SequenceMatcher(None, [bar.link for bar in old], links, autojunk=False)
+    for start, place, size in common.get_matching_blocks():
+        bars[place : place + size] = old[start : start + size]
     return bars

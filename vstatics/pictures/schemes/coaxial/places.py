@@ -47,9 +47,9 @@ class Needs(NamedTuple):
     """
     names: Mapping[int, float]
     """Width of the name of each link on a bar, by the number of the link. [pt]"""
-    letters: float = 1.0
+    letters: float
     """Ratio of the size of letters to lengths. [-]"""
-    has_wheel_names: bool = False
+    has_wheel_names: bool
     """True if names of gears are between the row of planets and the nearest bars."""
 
     @property

@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
-from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE_HEIGHT, ROOF
+from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE_HEIGHT
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
@@ -28,7 +28,6 @@ def draw_station(sheet: AxesSheet, number: int) -> None:
         "coupling": _coupling,
         "box": _box,
         "brake": _brake,
-        "drum": _drum,
         "differential": _differential,
         "set": _set,
         "section": _section,
@@ -57,26 +56,6 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
     ends = (x, placing.y(axis, low)), (x, placing.y(axis, low + BRAKE_HEIGHT))
     sheet.draw_sign(index, *ends, placing.board.rows.sides[axis])
     sheet.name(index)
-
-
-def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
-    """Draw clutch packs in a common drum, each above the driven shaft."""
-    axis, placing = station.axes[0], sheet.placing
-    low = placing.sign_height(axis)
-    roof, common = placing.y(axis, low + ROOF), station.links[0]
-    xs = {index: _ends(sheet, index) for index in station.devices}
-    (start,) = {ends[common] for ends in xs.values() if common in ends}
-    last = max(x for ends in xs.values() for x in ends.values())
-    pen = sheet.of_link(sheet.scheme.name(common), axis + 1)
-    loaded = sheet.state.loaded
-    is_used = loaded is None or any(common in loaded[index] for index in station.devices)
-    color = sheet.pen.style.ink if is_used else sheet.pen.style.faint
-    look: Look = {"kind": "wire", "title": sheet.titles.links.get(common, ""), "color": color}
-    pen.line((start, placing.y(axis, low)), (start, roof), (last, roof), zorder=3.2, **look)
-    for index, link in zip(station.devices, station.links[1:], strict=True):
-        x = xs[index][link]
-        sheet.draw_sign(index, (x, roof), (x, placing.y(axis, low)))
-        sheet.name(index)
 
 
 def _box(sheet: AxesSheet, number: int, station: Station) -> None:
@@ -135,7 +114,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
-            lines: list[Segment] = [(at(tap.x, tap.side * tap.depth), at(tap.x, end))]
+            lines: list[Segment] = [(at(tap.x, tap.y), at(tap.x, end))]
             lines += ground(at(tap.x, end), tap.side * side)
             looks.setdefault(LINE_WIDTH, []).extend(lines)
     for thick, strokes in looks.items():

@@ -8,21 +8,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.style import SIZE, SMALL
 from vstatics.pictures.schemes.axes.letters.obstacles import (
-    BOX,
-    BRAKE_HEIGHT,
-    GROUND,
     IN_SET,
-    ROOF,
-    SIGN,
     Obstacle,
     Rectangle,
 )
 from vstatics.pictures.schemes.axes.places import AxesPlaces
-from vstatics.pictures.schemes.axes.stations import CAGE, Station
-from vstatics.pictures.schemes.axes.wires import sign_height
 
 LINE = 1.2
 """Ratio of the height of a line of text to the letter size. [-]"""
@@ -32,6 +26,8 @@ ASIDE = (0, 3, 7, 12, 18, 26, 36)
 """Horizontal distances of a text from the named component to try. [pt]"""
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
 """Vertical distances of a text from the named component to try; -1 overlaps the component. [pt]"""
+NAME_GAP = 2.5
+"""Distance from the box around a component to the name. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
 """Costs of a text below or next to the component, compared with above. [pt of distance]"""
 BESIDES = 8
@@ -92,7 +88,7 @@ def device_labels(
     within = np.array([item.device if item.cost == IN_SET else -1 for item in solid])
     owners = np.array([[*item.box, item.device] for item in solid])
     labels: dict[int, list[DeviceLabel]] = {}
-    wanted = sorted(_names(placing), key=lambda name: (abs(name.above[1]), name.above[0]))
+    wanted = sorted(_names(placing, solid), key=lambda name: (abs(name.above[1]), name.above[0]))
     for wanted_label in (*_teeth(placing), *wanted):
         boxes, dear = _candidates(placing, wanted_label)
         others = owners[(owners[:, 4] != wanted_label.device) & (owners[:, 4] >= 0), :4]
@@ -174,40 +170,15 @@ def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:
                 yield WantedLabel(index, text, (at, start), far_start, up, size=SMALL)
 
 
-def _names(placing: AxesPlaces) -> Iterator[WantedLabel]:
+def _names(placing: AxesPlaces, solid: Sequence[Obstacle]) -> Iterator[WantedLabel]:
+    """Yield names of components, above or below the symbols."""
+    ends_of = grouped((item.device, y) for item in solid for y in (item.box.low, item.box.high))
     for number, station in enumerate(placing.board.stations):
-        for place, text in enumerate(station.names):
-            if text:
-                start = _start(placing, number, station, place)
-                yield WantedLabel(station.devices[place], text, *start, station.half)
-
-
-def _start(
-    placing: AxesPlaces, number: int, station: Station, place: int
-) -> tuple[Point, float, int]:
-    """Return preferred positions of a name above and below a component, and the direction away."""
-    axis, x = station.axes[0], placing.xs[number]
-    side = placing.board.rows.sides[axis]
-    if station.joint is not None:
-        radii = placing.board.radii[number][::2]
-        ends = [
-            placing.y(end, 0.0) + way * r
-            for end, r in zip(station.axes, radii, strict=True)
-            for way in (1, -1)
-        ]
-        return (x, max(ends) + 3.0), min(ends) - 3.0, 1
-    middle = sign_height(placing, station.devices[place])
-    if station.kind == "drum":
-        x = next(
-            contact.x
-            for contact in placing.contacts
-            if contact.device == station.devices[place] and contact.link != station.links[0]
-        )
-    over = {"brake": BRAKE_HEIGHT + GROUND, "drum": ROOF, "box": BOX}.get(station.kind, SIGN)
-    under = {"brake": 0.0, "drum": 0.0, "box": BOX}.get(station.kind, SIGN)
-    if station.kind == "differential":
-        middle, over, under = 0.0, CAGE, CAGE
-    if station.kind == "set":
-        over = under = station.glyphs[placing.chosen.ways[number]].half
-    gap = 2.5
-    return (x, placing.y(axis, middle + over + gap)), placing.y(axis, middle - under - gap), side
+        x, side = placing.xs[number], placing.board.rows.sides[station.axes[0]]
+        for device, text in zip(station.devices, station.names, strict=False):
+            ends = ends_of[device]
+            if station.joint is not None:
+                radii, side = zip(station.axes, placing.board.radii[number][::2], strict=True), 1
+                ends = [placing.y(axis, way * radius) for axis, radius in radii for way in (1, -1)]
+            above, below = (max(ends) + NAME_GAP, min(ends) - NAME_GAP)[::side]
+            yield WantedLabel(device, text, (x, above), below, side, station.half)

@@ -10,13 +10,13 @@ from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
-from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Station
+from vstatics.pictures.schemes.axes.stations import CAGE, WHEEL, Station
 from vstatics.pictures.schemes.axes.wires import link_lines, sign_height
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
 
-BRAKE_HEIGHT, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
-"""Heights of a brake and a drum above the symbol, half heights of a box and of a symbol. [pt]"""
+BRAKE_HEIGHT, BOX, SIGN = 19.0, 8.0, 9.0
+"""Height of a brake, and half heights of a box and of a symbol. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
@@ -118,7 +118,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
-            yield Obstacle(about(at(tap.x, tap.side * tap.depth), at(tap.x, end)))
+            yield Obstacle(about(at(tap.x, tap.y), at(tap.x, end)))
             wall = tap.side * (glyph.half + 5 + GROUND)
             yield Obstacle(about(at(tap.x - 9, end), at(tap.x + 9, wall)))
 
@@ -142,7 +142,5 @@ def _box_of(placing: AxesPlaces, number: int, station: Station, middle: float) -
         low, high = -CAGE, CAGE
     elif station.kind == "brake":
         low, high = middle, middle + BRAKE_HEIGHT + GROUND
-    elif station.kind == "drum":
-        low, high = middle, middle + ROOF
-    half = PACK_PITCH * len(station.devices) / 2 + 2 if station.kind == "drum" else station.half
-    return about((x - half, placing.y(axis, low)), (x + half, placing.y(axis, high)), 1.0)
+    start, end = x - station.half, x + station.half
+    return about((start, placing.y(axis, low)), (end, placing.y(axis, high)), 1.0)

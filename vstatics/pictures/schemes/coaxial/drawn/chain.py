@@ -13,7 +13,6 @@ from vstatics.pictures.schemes.coaxial.chains import CoaxialChain
 from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_chain_box
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_end
 from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, pair_name
-from vstatics.pictures.schemes.coaxial.section import NO_TEXTS
 from vstatics.pictures.schemes.gear_glyphs import lines_of
 from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
@@ -53,7 +52,7 @@ def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
     return sizes
 
 
-def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> list[float]:
+def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[float]:
     """Return the position of each symbol along the axis [pt]."""
     names = [wide for wide, _ in _sizes(scheme, chain, texts)]
     between = [width(_link_name(scheme, link)) for link in chain.links[1:-1]]
@@ -66,9 +65,7 @@ def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> l
     return positions
 
 
-def chain_extent(
-    scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS
-) -> tuple[Point, Point]:
+def chain_extent(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> tuple[Point, Point]:
     """Return the lower left and the upper right corner of a row [pt]."""
     at, sizes = places_of(scheme, chain, texts), _sizes(scheme, chain, texts)
     sides = [
@@ -82,7 +79,7 @@ def chain_extent(
     return (-sides[0], -low - 3), (at[-1] + last + sides[1], above + 3)
 
 
-def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> None:
+def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts) -> None:
     """Draw the symbols on the axis, with names of components above and of links below."""
     scheme, at = ink.scheme, places_of(ink.scheme, chain, texts)
     sizes = _sizes(scheme, chain, texts)

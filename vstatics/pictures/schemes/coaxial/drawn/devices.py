@@ -49,7 +49,7 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
         (stroke.width, [(at + x, y) for x, y in stroke.points])
         for stroke in planet_strokes(section)
     )
-    faces = [(at + tap.x, tap.side * tap.depth) for tap in taps]
+    faces = [(at + tap.x, tap.y) for tap in taps]
     looks.setdefault(TOOTH, []).extend(((x - FACE, y), (x + FACE, y)) for x, y in faces)
     if index in ink.state.pieces:
         xs, ys = zip(

@@ -112,7 +112,7 @@ def _carrier_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
 
 def _wheel_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
     section, heights = layout.section(up), layout.places.heights
-    taps = {(tap.x, tap.side): tap.side * tap.depth for tap in wheel_taps(section)}
+    taps = {(tap.x, tap.side): tap.y for tap in wheel_taps(section)}
     for number, (sun, ring) in enumerate(up.wheels):
         x = section.x(number)
         if sun is not None:
@@ -130,7 +130,7 @@ def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int,
             yield carrier, device, (at + end, y)
         for tap in wheel_taps(layout.section(up)):
             if tap.wire:
-                yield tap.wire, device, (at + tap.x, tap.side * tap.depth)
+                yield tap.wire, device, (at + tap.x, tap.y)
     elif up.kind == "pair":
         bars = sorted(up.bars, key=places.heights.__getitem__)
         middle = layout.middle(up)

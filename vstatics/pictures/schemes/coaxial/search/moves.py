@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.search.set_moves import SetMoves
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -19,24 +18,17 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     fresh,
     links_of,
 )
-from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
-class Moves(NamedTuple):
+class Moves(SetMoves):
     """Generator of the components that can follow to the right in a half-section."""
-
-    train: CoaxialTrain
-    crossing: int = 0
-    """Components that may cross bars (lines of links), as a bit mask; 0 for no component."""
-    is_ordered: bool = False
-    """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
         """Yield all steps from a state, each with the next state and the cost."""
         yield from self._tops(state)
         yield from self._pairs(state)
         yield from self._walls(state)
-        yield from SetMoves(*self).after(state)
+        yield from super().after(state)
 
     def _tops(self, state: SectionState) -> Iterator[Move]:
         """Yield the steps in which a link begins at the housing, or crosses bars to reach it."""
@@ -72,8 +64,8 @@ class Moves(NamedTuple):
                 part = fresh(second_link, bars)
                 if first_link in alive and part is not None:
                     again = FOLD * (second_link in alive)
-                    adjacent = _adjacent(below, above, first_link, part, wraps=not again)
-                    ways += [(low, high, cost + again) for low, high, cost in adjacent]
+                    adjacent = _adjacent(below, above, first_link, part)
+                    ways += [(*both, again) for both in adjacent]
             if self.crossing & bit and alive.issuperset(pair):
                 first, second = ([n for n, b in enumerate(bars) if b >> 3 == x] for x in pair)
                 over = min(abs(a - b) - 1 for a in first for b in second)
@@ -96,20 +88,13 @@ class Moves(NamedTuple):
             yield Move(SectionState(low, high, done), WALL, FOLD, step)
 
 
-def _adjacent(
-    below: Bars, above: Bars, link: int, part: int, *, wraps: bool
-) -> Iterator[tuple[Bars, Bars, int]]:
-    """Yield the bars below and above with a new bar, `part`, next to or inside a bar of `link`."""
-    for row, is_low in ((below, True), (above, False)):
-        for at, bar in enumerate(row):
-            if bar >> 3 != link:
-                continue
-            ways = [((*row[:at], part, *row[at:]), 0), ((*row[: at + 1], part, *row[at + 1 :]), 0)]
-            if wraps:
-                ways.append(((*row[:at], bar, part, bar, *row[at + 1 :]), FOLD))
-            for changed, cost in ways:
-                yield (changed, above, cost) if is_low else (below, changed, cost)
-            if is_low and at == len(row) - 1:
-                yield below, (part, *above), 0
-            if not is_low and not at:
-                yield (*below, part), above, 0
+def _adjacent(below: Bars, above: Bars, link: int, part: int) -> Iterator[tuple[Bars, Bars]]:
+    """Yield the bars below and above with a new bar, `part`, next to a bar of `link`."""
+    bars, low = below + above, len(below)
+    places = {n + by for n, bar in enumerate(bars) if bar >> 3 == link for by in (0, 1)}
+    for place in sorted(places):
+        changed = (*bars[:place], part, *bars[place:])
+        if place <= low:
+            yield changed[: low + 1], above
+        if place >= low:
+            yield below, changed[low:]

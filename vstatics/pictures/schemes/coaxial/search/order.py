@@ -65,7 +65,7 @@ class ComponentOrder(NamedTuple):
     """Result of a search: the components from left to right."""
 
     steps: Sequence[OrderStep]
-    is_ordered: bool = True
+    is_ordered: bool
     """False if gear sets should be in the given order but could not be."""
 
 

@@ -92,7 +92,7 @@ class SetMoves(NamedTuple):
 
     train: CoaxialTrain
     crossing: int
-    """Bits of the components that may cross bars."""
+    """Components that may cross bars (lines of links), as a bit mask; 0 for no component."""
     is_ordered: bool
     """True to keep the given order of gear sets."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -38,7 +39,7 @@ class Successors:
 
     def __init__(self, moves: Moves) -> None:
         self.moves = moves
-        self._following: dict[SectionState, Sequence[Successor]] = {}
+        self.after = lru_cache(MOST_REMEMBERED)(self._after)
 
     def first(self) -> Iterator[Successor]:
         """Yield the states at the left end of the axis."""
@@ -46,20 +47,14 @@ class Successors:
         for below, above in ((start, ()), ((), start)):
             yield self._settled(SectionState(below, above, 0))
 
-    def after(self, state: SectionState) -> Sequence[Successor]:
+    def _after(self, state: SectionState) -> Sequence[Successor]:
         """Return the states that follow a state."""
-        following = self._following.get(state)
-        if following is None:
-            following = [*self._after(state)]
-            if len(self._following) < MOST_REMEMBERED:
-                self._following[state] = following
-        return following
-
-    def _after(self, state: SectionState) -> Iterator[Successor]:
+        following = []
         for move in self.moves.after(state):
             wide = move.length * max(1, len(move.state.below) + len(move.state.above))
             settled, steps, cost = self._settled(move.state)
-            yield Successor(settled, (move.step, *steps), wide + move.cost + cost)
+            following.append(Successor(settled, (move.step, *steps), wide + move.cost + cost))
+        return following
 
     def _settled(self, state: SectionState) -> Successor:
         """Return the state after all neighbouring bars that can be connected are connected."""
