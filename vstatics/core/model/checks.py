@@ -22,11 +22,11 @@ from vstatics.core.model.part_checks import (
     sets_side_by_side,
 )
 from vstatics.core.model.parts import (
+    Damping,
     Law,
     Mechanism,
     OfLoad,
     ShiftElement,
-    damping,
     element_names,
     mechanism_name,
     mechanism_names,
@@ -164,7 +164,7 @@ def _bare_twists(case: TransmissionFields) -> Iterator[Problem]:
             yield no_unit(largest, "rad", "a spring", ("springs", number, "points"))
     for key in ("springs", "mechanisms", "shift_elements"):
         for number, part in enumerate(getattr(case, key), 1):
-            ratio = damping(part.damping).loss_factor / 2
+            ratio = part.damping.loss_factor / 2 if isinstance(part.damping, Damping) else 0.0
             if ratio >= LARGE_RATIO:
                 message = f"read a damping ratio of {ratio:g}, more than most parts can have"
                 hint = f"write a ratio in % as `{ratio:g}%`"
