@@ -358,6 +358,7 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                 f"`speed_ratio` of {mechanism.kind} {mechanism.name or number} is missing: "
                 "give it in this gear under `speed_ratios`, or in the mechanism for all gears"
             )
+            message += ", or lambda in its points" * (mechanism.kind == "converter")
             for place, gear in enumerate(case.gears, 1):
                 given = number in gear.speed_ratios or number in gear.open
                 if not given and not _is_bypassed(case, gear, number):

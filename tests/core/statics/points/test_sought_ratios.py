@@ -72,7 +72,7 @@ def test_it_is_written_as_it_was_read_and_no_deck_has_it() -> None:
 
 def test_inputs_without_a_ratio_are_reported(folder: Path) -> None:
     for old, new, message in (
-        (", 0.002], [1, 1, 0]", "], [1, 1]", "`speed_ratio` of converter TC is missing"),
+        (", 0.002], [1, 1, 0]", "], [1, 1]", "for all gears, or lambda in its points"),
         ("load: {speed: 200 rad/s, torque: 100 N*m}", "", "gears.1: the speed ratio of TC"),
         (", torque: 100 N*m", "", "has no torque: expected a `load` with both"),
         ("pair: {", "TD: {kind: converter, points: [[0, 2, 1], [1, 1, 0]], ", "TC and TD"),
