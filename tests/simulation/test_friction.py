@@ -112,6 +112,31 @@ shift_elements:
 FADING = "{columns: [30, 230], rows: [[0, 0.12, 0.04]]}"
 
 
+IN_SERIES = """inertias: {a: 1, b: 2}
+shift_elements:
+  C: {links: [a, m], friction: {radius: 0.1, area: 0.006, surfaces: 8, COEFFICIENT}}
+  D: {links: [m, b], friction: {radius: 0.1, area: 0.006, surfaces: 8,
+    coefficient: [[0, 0.07], [30, 0.095]]}}
+"""
+FAR = "coefficient: {columns: [0], rows: [[0, 0.1], [10, 0.12], [80, 0.05]]}, heat_capacity: 900"
+
+
+@pytest.mark.parametrize(
+    ("law", "sticking", "slip"), [("coefficient: 0.12", "", 0), (FAR, "C", 2.5 / 0.9)]
+)
+def test_a_link_between_two_packs_has_one_torque_and_does_not_jump(
+    law: str, sticking: str, slip: float
+) -> None:
+    """D slips above its last point, by 4.56 N*m. C holds, or slips where (0.1 + 0.002 x) 43.2 = 4.56.
+
+    C could then also slip by far more, as its law falls, and D stick.
+    """
+    text = f"duration: 1\nstart: {{speeds: {{a: 200, b: 0}}, engaged: [{sticking}]}}\n"
+    text += "controls: {C: [[0, 1e4], [1, 9e3]], D: 1e4}\n"
+    motion = simulated(text, IN_SERIES.replace("COEFFICIENT", law))
+    assert motion.speeds[-1] == pytest.approx([195.44, 195.44 - slip, 2.28])
+
+
 @pytest.mark.parametrize("states", ["", 'states: {p: {rate: "(1e6 - p)/0.01"}}\n'])
 def test_a_clutch_that_fades_with_its_own_heat_locks_when_it_should(states: str) -> None:
     """Heat is ``E = J (s0^2 - s^2)/2``, so ``J ds/dt = -N (a + b s^2)``: a tangent.

@@ -243,7 +243,9 @@ class ModeSelection:
     def _equations(self, states: States, at: Instant) -> Equations:
         structure = self.structure(states.held, states.meshes)
         rounding = STANDING * max(1.0, largest(at.speeds))
-        return Equations(self.system, structure, states, at.time, rounding, at.carried)
+        equations = Equations(self.system, structure, states, at.time, rounding, at.carried)
+        equations.last_light = structure.light.T @ at.speeds
+        return equations
 
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
@@ -275,7 +277,12 @@ class ModeSelection:
             if not failing:
                 return Selected(margins, state, jump), []
             only = all(watch.kind in ("flow", "piece") for watch in failing)
-            states = turned(states, [watch for watch in failing if only or watch.kind == "flow"])
+            turning = [
+                watch
+                for watch in failing
+                if only or watch.kind == "flow" or watch.of in self.choices.frictions
+            ]
+            states = turned(states, turning)
         return None, failing
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:

@@ -123,8 +123,9 @@ class Equations:
         self.longest = system.scenario.duration / _FEWEST_STEPS
         """Longest time step if a torque is a formula of time, since it can contain a pulse. [s]"""
         self.within = AHEAD * system.scenario.span
+        self.last_light = np.zeros(self.light)
+        """Speeds of motions without inertia, near which Newton's method looks for a balance."""
         if self.light:
-            self.last_light = np.zeros(self.light)
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
         self.losses = VaryingLosses(self, carried) if system.varying else None
@@ -226,7 +227,7 @@ class Equations:
                 self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
-        speeds = self.last_light if self.losses else np.zeros(self.light)
+        speeds = self.last_light
         left = unbalanced(speeds)
         for _ in range(_NEWTON):
             finest = ports.finest(rates + structure.light_rates @ speeds)
