@@ -39,6 +39,15 @@ def of_frequency(hertz: float, **more: Any) -> Results:
     return shaft(0.05 * (2 * math.pi * hertz) ** 2, **more)
 
 
+@pytest.mark.parametrize(
+    ("kind", "text"), [("campbell", "1: 30.00 Hz"), ("response", "gear 3L"), ("modes", "gear 3L")]
+)
+def test_a_gear_is_drawn_whose_number_is_the_name_of_another_gear(kind: str, text: str) -> None:
+    gears = [Gear(name=name) for name in ("1", "3", "3L")]
+    results = solve(of_frequency(30.0).case.replace(gears=gears))
+    assert text in " ".join(said.texts(picture(results, kind, Style(), gears=[3])))
+
+
 def resonances(svg: bytes) -> dict[tuple[str, int, float], Mark]:
     found = marks(svg, "resonance")
     keys = [(one.data["gear"], int(one.data["mode"]), float(one.data["order"])) for one in found]

@@ -15,6 +15,7 @@ from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest,
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import LONG_NAME, MARGIN, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
+from vstatics.torsion.pictures.shown_modes import gear_names
 
 if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
@@ -74,7 +75,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
     require("torsion", "a picture of a clutch that is dumped")
     from vstatics.torsion.clutch.gear_dump import gear_dumps
 
-    dumps = gear_dumps(results.case, list(gears) or None)
+    dumps = gear_dumps(results.case, gear_names(results.case, gears) or None)
     if not any(dump.made for dump in dumps):
         names = listed([dump.name for dump in dumps])
         raise CaseError("E742", f"no torque of a clutch dump in gear {names}: {dumps[0].error}")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.errors import CaseError, listed
 from vstatics.core.extras import require
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.pictures.drawing.style import Style
@@ -33,14 +34,21 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
     require("torsion", "a picture of natural modes")
     from vstatics.torsion.vibration.gear_modes import modes
 
-    asked = [results.case.gears[number - 1].name for number in gears]
-    modes_by_gear = modes(results.case, asked or None)
+    modes_by_gear = modes(results.case, gear_names(results.case, gears) or None)
     if not any(gear.modes for gear in modes_by_gear):
         names = listed([gear.name for gear in modes_by_gear])
         subject = f"gear {names} has" if len(modes_by_gear) == 1 else f"gears {names} have"
         reasons = (text for gear in modes_by_gear for text in (gear.error, *gear.warnings) if text)
         raise CaseError("E412", ": ".join([f"{subject} no natural frequency", *[*reasons][:1]]))
     return modes_by_gear
+
+
+def gear_names(case: Transmission, numbers: Sequence[int]) -> list[str]:
+    """Return the names of gears with given numbers (from 1).
+
+    The number of a gear can be the name of another gear, so calculations get names.
+    """
+    return [case.gears[number - 1].name for number in numbers]
 
 
 def why_none(gear: GearModes, style: Style) -> str:

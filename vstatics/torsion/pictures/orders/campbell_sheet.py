@@ -20,7 +20,7 @@ from vstatics.torsion.pictures.orders.resonances import (
     meetings,
     shared_modes,
 )
-from vstatics.torsion.pictures.shown_modes import modes_of, why_none
+from vstatics.torsion.pictures.shown_modes import gear_names, modes_of, why_none
 from vstatics.torsion.system.state import asked_gears
 
 MOST_NAMED = 4
@@ -120,7 +120,7 @@ def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> Camp
         If scipy is not installed, or no gear has a mode.
     """
     case, by_gear = results.case, modes_of(results, gears)
-    chosen = asked_gears(case, gears)
+    chosen = asked_gears(case, gear_names(case, gears))
     reasons = [
         f"{gear_title(gear.name, style)}: {why_none(gear, style)}"
         for gear in by_gear

@@ -13,7 +13,7 @@ from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ExcitedSpeeds, Order, excited_speeds
 from vstatics.torsion.pictures.orders.resonances import GearMode, gear_modes, meetings
-from vstatics.torsion.pictures.shown_modes import modes_of
+from vstatics.torsion.pictures.shown_modes import gear_names, modes_of
 from vstatics.torsion.system.state import asked_gears
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def response_panels(
         known = ", ".join(f"{order:g}" for order in harmonics)
         message = f"the torque has no order {unknown[0]:g}: expected one of {known}"
         raise CaseError("E505", message)
-    chosen = asked_gears(case, gears)
+    chosen = asked_gears(case, gear_names(case, gears))
     modes_by_gear = modes_of(results, gears)
     link = case.link_number(excitation.at) if excitation.at else 0
     links = [case.link_name(link or case.gear_input(gear)) for gear in chosen]
