@@ -35,10 +35,12 @@ def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> 
 
 
 def test_a_dog_clutch_that_opens_holds_until_then() -> None:
-    """After 0.5 s, 3 N*m slow 3 kg*m^2 by 0.5 rad/s."""
-    start = "duration: 1\nstart: {speeds: {o: 90}}\nspeeds: {e: 90}\ntorques: {o: -3}\n"
-    motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, open]]}}}}\n", DOG)
-    assert motion.speeds[-1].tolist() == pytest.approx([90.0, 89.5])
+    """From 0.5 s on, or from the start, 3 N*m slow 3 kg*m^2 by 1 rad/s in a second."""
+    for engaged, last in (("[D]", 89.5), ("[]", 89.0)):
+        start = f"duration: 1\nstart: {{speeds: {{o: 90}}, engaged: {engaged}}}\n"
+        start += "speeds: {e: 90}\ntorques: {o: -3}\n"
+        motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, open]]}}}}\n", DOG)
+        assert motion.speeds[-1].tolist() == pytest.approx([90.0, last])
 
 
 def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides() -> None:

@@ -113,7 +113,8 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
             factor = 1 / friction_at(element.pack)
             result.append(Programme(constant(math.inf if held is None else held), factor))
         elif control is not None:
-            result.append(_controlled(control, element, scenario.case))
+            controlled = _controlled(control, element, scenario.case, engaged=number in engaged)
+            result.append(controlled)
         else:
             try:
                 result.append(_shifted(number, element, scenario, engaged=number in engaged))
@@ -249,20 +250,22 @@ def _scaled(control: Capacity) -> Curve:
     return law._replace(tree=times(Constant(scale), law.whole))
 
 
-def _controlled(control: object, element: ShiftElement, case: Transmission) -> Programme:
+def _controlled(
+    control: object, element: ShiftElement, case: Transmission, *, engaged: bool
+) -> Programme:
     if isinstance(control, Capacity):
         factor = element.pack.per_pressure if element.pack else 1.0
         return bounded(_scaled(control), factor, largest_control(element, case))
     times: list[float] = []
     held: list[float] = []
     for time, closed in getattr(control, "points", ()):
-        capacity, opposite = (math.inf, 0.0) if closed else (0.0, math.inf)
+        first = math.inf if engaged and not closed else 0.0  # closed until it opens
         times += [time, time]
-        held += [held[-1] if held else opposite, capacity]
+        held += [held[-1] if held else first, math.inf if closed else 0.0]
     if not times:
         return OPEN
-    first = 0 if times[0] > 0 else 1
-    return Programme(Points(tuple(times[first:]), tuple(held[first:])), is_dog=True)
+    skipped = 0 if times[0] > 0 else 1
+    return Programme(Points(tuple(times[skipped:]), tuple(held[skipped:])), is_dog=True)
 
 
 def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged: bool) -> Programme:
