@@ -263,7 +263,7 @@ class EventRun:
             return True
         values = self.record.value_scales / SMALL_VALUE
         along = self.corners.kept(equations, state, self.scales, values)
-        if len(along) == len(self.corners.slides):
+        if along is None:
             return True
         self._slide(along)
         return False
