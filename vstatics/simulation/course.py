@@ -156,6 +156,7 @@ class EventRun:
         copied = copy(self)
         copied.record, copied.corners = self.record.copy(), self.corners.copy()
         copied.sequences = [copy(each) for each in self.sequences]
+        copied.solutions = self.solutions.copy()
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
