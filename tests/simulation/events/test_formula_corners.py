@@ -1,3 +1,5 @@
+"""Jumps of formulas along which a motion slides."""
+
 from types import SimpleNamespace
 from typing import Any
 
