@@ -75,7 +75,7 @@ def test_what_jumps_behind_the_duration_is_met_exactly() -> None:
 
 def test_back_again() -> None:
     """What is tried from a state leaves it as it was, events, sequences and all."""
-    run = begin(written(LAG + SHIFT))
+    run = begin(written(LAG + SHIFT + 'torques: {e: "3*sin(5*t) - 1e-4*speed**2"}\n'))
     run.advance(3.3)
     before, speeds, events = run.state, run.speeds, run.events
     ends = []

@@ -156,6 +156,7 @@ class EventRun:
         copied = copy(self)
         copied.record, copied.corners = self.record.copy(), self.corners.copy()
         copied.sequences = [copy(each) for each in self.sequences]
+        copied.solutions = self.solutions.copy()
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -263,7 +264,7 @@ class EventRun:
             return True
         values = self.record.value_scales / SMALL_VALUE
         along = self.corners.kept(equations, state, self.scales, values)
-        if len(along) == len(self.corners.slides):
+        if along is None:
             return True
         self._slide(along)
         return False

@@ -40,6 +40,16 @@ DUTY = ByKey(
     ),
 )
 EXPECTED = "`energy` or `time` with a share for each gear"
+_SHARES = re.compile(rf"^[^\w\n]*({'|'.join(get_args(Kind))})[^\w\n]*:".encode(), re.MULTILINE)
+
+
+def has_points(data: bytes) -> bool:
+    """Return whether data without a suffix are a table of points, not shares by gear.
+
+    >>> has_points(b"Speed [rpm],time [s]"), has_points(b"# by speed\\ntime: {low: 1}")
+    (True, False)
+    """
+    return _SHARES.search(data) is None
 
 
 class DutyFile(NamedTuple):

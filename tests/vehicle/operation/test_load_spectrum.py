@@ -239,8 +239,8 @@ def test_an_equivalent_torque_says_of_which_exponent(folder: Path) -> None:
         for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
             found = vstatics(*asked, form, *given).out.replace("\\", "")
             assert f"equivalent, p = {told}, N*m" in found
-    piped = vstatics(*asked[:3], "-", stdin=(folder / "duty.csv").read_bytes())
-    assert piped.out == vstatics(*asked[:4]).out
+    titled = b"A title\n" + (folder / "duty.csv").read_bytes()
+    assert vstatics(*asked[:3], "-", stdin=titled).out == vstatics(*asked[:4]).out
 
 
 def test_points_are_a_record_of_the_torques_of_devices() -> None:

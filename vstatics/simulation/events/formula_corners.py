@@ -158,8 +158,8 @@ class FormulaCorners:
 
     def kept(
         self, equations: Equations, state: Floats, scales: LargeSizes, values: Floats
-    ) -> list[CornerPlace]:
-        """Return the jumps along which the motion slides on, all of `slides` or fewer.
+    ) -> list[CornerPlace] | None:
+        """Return the jumps along which the motion slides on; None if these are all of `slides`.
 
         Parameters
         ----------
@@ -186,7 +186,7 @@ class FormulaCorners:
             if is_near and abs(shares[slide.share]) <= 1 + STANDING:
                 along.append(place)
         if len(along) == len(self.slides):
-            return along
+            return None
         if smooth := self._continuous(equations, state, scales, values):
             self.smooth |= smooth
             return [place for place in self.slides if place not in smooth]

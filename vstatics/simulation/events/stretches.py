@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from copy import copy
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -276,6 +277,12 @@ class KnownSolutions:
 
         A slipping device adds a variable.
         """
+
+    def copy(self) -> KnownSolutions:
+        """Return a copy to which further solutions add nothing; exponentials depend on no run."""
+        copied = copy(self)
+        copied.parts = {**self.parts}
+        return copied
 
     def slopes_near(
         self, slopes: tuple[Floats, Floats], bending: Integers, torques: int

@@ -46,7 +46,10 @@ class DutyOptions(NamedTuple):
         if self.duty is not None:
             is_table = suffix_of(self.duty) == ".csv"
             text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
-            is_table |= is_stream(self.duty) and b"speed" in text[0].partition(b"\n")[0]
+            if is_stream(self.duty):
+                from vstatics.vehicle.duty_file import has_points
+
+                is_table |= has_points(text[0])
         without = "--exponent needs --duty with a CSV file"
         refuse((self.exponent is not None and not is_table, without))
         without = "--spectrum needs --duty with a CSV file"
