@@ -43,8 +43,8 @@ LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
 LARGE_TWIST = 12.0
 """Largest plausible twist of a spring, about two turns. [rad]"""
-LARGE_RATIO = 2.0
-"""Damping ratio that was probably meant in %, as parts of gearboxes have 0.01 to 0.1. [-]"""
+LARGE_DAMPING = 2.0
+"""Damping ratio from which % was probably meant; parts of gearboxes have 0.01 to 0.1. [-]"""
 LARGE_SLIP = 5.0
 """Largest plausible relative slip; a larger number was probably meant in rpm or rad/s. [-]"""
 
@@ -165,7 +165,7 @@ def _bare_twists(case: TransmissionFields) -> Iterator[Problem]:
     for key in ("springs", "mechanisms", "shift_elements"):
         for number, part in enumerate(getattr(case, key), 1):
             given = part.damping
-            if isinstance(given, Damping) and (ratio := given.loss_factor / 2) >= LARGE_RATIO:
+            if isinstance(given, Damping) and (ratio := given.loss_factor / 2) >= LARGE_DAMPING:
                 message = f"read a damping ratio of {ratio:g}, more than most parts can have"
                 hint = f"write a ratio in % as `{ratio:g}%`"
                 yield Problem("N205", f"{message}: {hint}", (key, number, "damping"))

@@ -30,9 +30,9 @@ from vstatics.simulation.system.sliding import slides
 from vstatics.simulation.tolerances import NEAR_JUMP, NO_STEP, SLIDING, STANDING
 
 _MOST_SUBSETS = 200
-"""Largest number of subsets of jumps met together along which the motion may slide."""
+"""Largest number of subsets of jumps, or of ways off them, that are tried at an instant."""
 _MOST_SWITCHES = 500
-"""Number of arrivals at a jump, faster and faster, above which a run stops."""
+"""Number of arrivals at a jump, at ever shorter intervals, above which a run stops."""
 CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 """Advice if a formula jumps back and forth."""
 

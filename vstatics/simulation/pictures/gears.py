@@ -36,7 +36,7 @@ class GearElements(NamedTuple):
     slipping: frozenset[str] = frozenset()
     """Shift elements that slip under torque."""
     released: frozenset[str] = frozenset()
-    """Shift elements that must be released, if the gear engages nothing."""
+    """Shift elements that must be released if the gear engages nothing."""
 
     def is_part_of(self, other: GearElements) -> bool:
         """Return whether the other gear has these shift elements and more."""

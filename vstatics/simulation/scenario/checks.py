@@ -146,10 +146,8 @@ def _kept_ratios(scenario: Scenario) -> Iterator[Problem]:
         for index, (kept, other) in enumerate(pairs):
             part = case.mechanisms[index]
             if part.kind == "variator" and kept != other and index + 1 not in scenario.speed_ratios:
-                text = (
-                    f"{part.name} keeps the speed ratio {kept:g} of the start gear, not {other:g}"
-                )
-                message = f"{text}; give `speed_ratios` over time"
+                text = f"{part.name} keeps the speed ratio {kept:g} of the start gear"
+                message = f"{text}, not {other:g} of gear {shift.to}; give `speed_ratios` over time"
                 yield Problem("N615", message, ("shifts", number, "to"))
 
 

@@ -91,13 +91,14 @@ def si_number(text: str) -> float:
     --------
     >>> si_number("2 kN*m"), si_number("80 kW"), si_number("25 %")
     (2000.0, 80000.0, 0.25)
-    >>> si_number("2*t")
+    >>> si_number("3.5 * t")
     Traceback (most recent call last):
     ...
-    ValueError: expected a number, not a formula; write a unit as in `2 t`
+    ValueError: expected a number, not a formula; write a unit as in `3.5 t`
     """
     if product := _PRODUCT.fullmatch(text.strip()):
-        raise ValueError(f"expected a number, not a formula; write a unit as in `2 {product[1]}`")
+        unit = " ".join(product.groups())
+        raise ValueError(f"expected a number, not a formula; write a unit as in `{unit}`")
     with suppress(ValueError):
         return in_any_unit(text, ANY_MEASURE)
     with suppress(ValueError):
@@ -112,7 +113,7 @@ def si_number(text: str) -> float:
 
 _ANY_NUMBER = "expected a number, with or without a unit such as `N*m`, `kW` or `%`"
 _COMPARISONS = frozenset("<>=?")
-_PRODUCT = re.compile(r"[-+\d.e ]+\* *([a-zA-Z])")
+_PRODUCT = re.compile(r"([-+\d.e]+) *\* *([a-zA-Z])")
 """Pattern of a number times one letter, which is a unit (tonnes) or a variable (time)."""
 ANY_MEASURE = get_args(Measure)
 TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]

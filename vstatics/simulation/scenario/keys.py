@@ -87,8 +87,8 @@ def _control(curve: Parsed) -> ByForm:
                 KeyShape(
                     "dog",
                     _points(_TIME, _DOG_STATE, "time, state", "times"),
-                    "Times from which the dog clutch is closed or open. Before, it is open; a dog "
-                    "clutch that the start engages and that opens first is closed.",
+                    "Times from which the dog clutch is closed or open. Before the first time, it "
+                    "is open, or closed if the start engages it and the first state is `open`.",
                     examples=([[1.5, "closed"]],),
                 ),
             ),

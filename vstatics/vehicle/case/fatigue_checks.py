@@ -16,7 +16,7 @@ from vstatics.vehicle.case.fatigue import Fatigue, Flanks, TorqueStrength
 from vstatics.vehicle.case.members import Members
 
 WEAKEST_METAL = 1e5
-"""Endurance limit that was probably meant in MPa, as metals have some 10 MPa or more. [Pa]"""
+"""Endurance limit below which MPa was probably meant; metals have 10 MPa or more. [Pa]"""
 THICKEST_SHAFT = 1.0
 """Shaft diameter above which the value was probably given in mm without a unit. [m]"""
 _STRENGTHS = {

@@ -79,7 +79,7 @@ def test_a_wrong_file_is_reported_at_its_place(tmp_path: Path, text: str, said: 
     for row, told in (
         ("0,5,9650", "line 3: read 9650 %, expected an efficiency"),
         ("-9,5,96", "line 3: read -9 rpm"),
-        ("0,5,0.96", "expected percentages such as 95: all values are 1 or below"),
+        ("0,5,0.96", "read no value above 1 %, expected percentages such as 95"),
     ):
         text = f"speed,torque,efficiency\nrpm,N*m,%\n{row}\n"
         (tmp_path / "map.csv").write_text(text, "utf-8")

@@ -121,8 +121,8 @@ def _map(lines: Sequence[str], values: Values) -> MapLaw:
             raise ValueError(f"line {line}: read {read}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     if heads[-1].unit == "%" and all(value <= 0.01 for _, value in points.values()):
-        hint = "all values are 1 or below; fractions need the heading `efficiency`"
-        raise ValueError(f"expected percentages such as 95: {hint}")
+        hint = "fractions need a heading without %, such as `efficiency`"
+        raise ValueError(f"read no value above 1 %, expected percentages such as 95; {hint}")
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
         if (speed, torque) not in points:

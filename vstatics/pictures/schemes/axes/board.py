@@ -26,7 +26,7 @@ class StationOrder(NamedTuple):
     groups: tuple[tuple[int, ...], ...]
     """Groups of stations that stay together, from left to right, as indices of stations."""
     ways: tuple[int, ...]
-    """Variant of each station: how a gear set or the wheels of a pair are drawn."""
+    """Variant of each station: how a gear set or a pair of gears is drawn."""
     drums: frozenset[int] = frozenset()
     """Numbers of links that are drawn as drums around gear sets and symbols."""
     rightward: frozenset[int] = frozenset()
