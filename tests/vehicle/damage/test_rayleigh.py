@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
 from scipy.stats import norm
 
 from tests.commands import json_answer, vstatics
@@ -99,21 +98,6 @@ def test_without_a_threshold_the_life_is_lognormal() -> None:
     assert samples.mean == pytest.approx(found.life * math.exp(spread**2 / 2), rel=0.01)
     for life, share in samples.curve:
         assert norm.cdf(math.log(life / found.life) / spread) == pytest.approx(share, abs=0.005)
-
-
-def test_each_sample_has_the_life_of_its_integral() -> None:
-    """(4.40): N = cycles r^m / int_x0^inf x^(m+1) exp(-x^2/2) dx with x0 = threshold r."""
-    strength = Fatigue(Scattered(100e6, "normal", 8e6), 3.0, 4e6, threshold=0.6)
-    found = scattered_life(strength, 60e6, 1.0, 40, seed=3)
-    assert found.samples is not None
-    endurance = Scattered(100e6, "normal", 8e6).samples(40, np.random.default_rng(3))
-    lives = []
-    for ratio in endurance / 60e6:
-        integral, _ = quad(lambda x: x**4 * math.exp(-x * x / 2), 0.6 * ratio, 40)
-        lives.append(4e6 * ratio**3 / integral)
-    expected = LifeSamples.of(np.array(lives))
-    assert found.samples[:4] == pytest.approx(expected[:4], rel=1e-8)
-    np.testing.assert_allclose(found.samples.curve, expected.curve, rtol=1e-8)
 
 
 def test_percents_of_lives_are_those_of_the_stepped_distribution() -> None:

@@ -30,20 +30,6 @@ def one_gear(vehicle: Vehicle, **more: Any) -> Transmission:
     return Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], vehicle=vehicle, **more)
 
 
-def test_time_against_air_is_that_of_the_closed_form() -> None:
-    """A constant force F less rolling against air: t = m/sqrt(F c) artanh(v sqrt(c/F))."""
-    car = Vehicle(1000, 0.25, 0.01, 0.7, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])
-    force = 100 * 4 * 2 / 0.25 - 1000 * GRAVITY * 0.01
-    air, v = AIR * 0.7 / 2, 100 / 3.6
-    expected = 1000 / math.sqrt(force * air) * math.atanh(v * math.sqrt(air / force))
-    made = performance(one_gear(car))
-    assert made.time_to_100 == pytest.approx(expected, rel=1e-12)
-    fastest = 3.6 * math.sqrt(force / air)
-    limited = 3.6 * 2000 / 4 / 2 * 0.25
-    assert made.top_speed == pytest.approx(min(fastest, limited), rel=1e-12)
-    assert made.gears["1"].slope == pytest.approx(force / (1000 * GRAVITY), rel=1e-12)
-
-
 def test_coastdown_terms_of_a_road_are_rolling_points_and_air() -> None:
     """R = A + B v + C v^2 (Davis): the time is a logarithm with the roots of F - R.
 
