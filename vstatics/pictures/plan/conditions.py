@@ -69,7 +69,7 @@ def elements_of(case: Transmission, gear: Gear, some: Conditions) -> tuple[int, 
 
 
 def is_free(case: Transmission, first: int, last: int, chosen: Conditions) -> bool:
-    """Check whether constraints leave the output speed open for a given input speed."""
+    """Check whether constraints leave the output speed indeterminate for a given input speed."""
     return math.isnan(speeds_under(case, first, last, sorted(chosen))[last - 1])
 
 

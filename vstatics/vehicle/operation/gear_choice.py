@@ -44,7 +44,7 @@ class GearChoice(NamedTuple):
 def chosen_gears(
     case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
 ) -> Integers:
-    """Return the gear index of each step: from the trace, by shift speeds, or highest possible.
+    """Return the gear index of each step, from the trace or by the rule of `choice`.
 
     Parameters
     ----------
