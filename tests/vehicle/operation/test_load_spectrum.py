@@ -41,17 +41,6 @@ def points(*rows: tuple[float, float, float], are_shares: bool = False) -> DutyP
     return DutyPoints(np.zeros(len(rows), int), speeds, torques, weights, are_shares)
 
 
-def test_energies_of_two_pairs_in_closed_form() -> None:
-    """100 rad/s and 20 N*m for 10 s; then coasting with -9 N*m for 5 s, where 9/.72 N*m enter."""
-    made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (100.0, -9.0, 5.0)))
-    drive, coast = 2000 * 10.0, 900 * 5.0
-    assert made.energy.in_ == pytest.approx(drive + coast / 0.72)
-    assert made.energy.out == pytest.approx(drive * 0.72 + coast)
-    lost_b = drive * 0.9 * 0.2 + coast / 0.72 * 0.2
-    assert made.energy.lost == pytest.approx({"a": drive * 0.1 + coast / 0.9 * 0.1, "b": lost_b})
-    assert made.efficiency == pytest.approx(made.energy.out / made.energy.in_)
-
-
 def test_a_point_without_torques_says_why() -> None:
     """A set on a freewheel that holds when it drives and overruns when it coasts."""
     freewheel = ShiftElement(2, 0, "F", kind="freewheel")
@@ -340,14 +329,3 @@ def test_a_duty_cycle_has_the_documented_names_of_speed_and_torque(headings: str
     table = read_duty_table(f"{headings}\n10,1,300,20\n30,1,600,5\n".encode(), "d.csv")
     work = 20 * 10 * math.pi * 10 + 5 * 20 * math.pi * 30
     assert table.of(solve(PAIRS)).energy.in_ == pytest.approx(work)
-
-
-def test_a_slipping_clutch_is_among_the_losses() -> None:
-    """2000 W for 10 s, of which 0.4 slip and 0.1 of the rest is lost in the pair; then engaged."""
-    clutch, pair = ShiftElement(1, 2, "C"), Mechanism(2, 3, 0, 2.0, 0.9, name="pair")
-    gears = [Gear(slip={1: 0.4}), Gear([1])]
-    case = Transmission(3, [clutch], [pair], gears)
-    rows = points((100.0, 20.0, 10.0), (100.0, 20.0, 10.0))._replace(gears=np.array([0, 1]))
-    energy = spectrum(case, rows).energy
-    assert energy.lost == pytest.approx({"pair": 2000 * (0.6 + 1), "slip.C": 8000})
-    assert energy.out == pytest.approx(20000 * 0.9 * (0.6 + 1))
