@@ -87,8 +87,8 @@ def nearest(word: str, known: Iterable[str]) -> str:
     ('; did you mean `ratio`?', '; did you mean `ETA`?')
     >>> nearest("wilson", ["simpson", "wilson-preselector"])
     '; did you mean `wilson-preselector`?'
-    >>> nearest("xyz", ["ratio", "efficiency"])
-    ''
+    >>> nearest("xyz", ["ratio", "efficiency"]), nearest("closed", ["loss"])
+    ('', '')
     """
     import difflib  # costs start-up time
 

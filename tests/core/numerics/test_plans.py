@@ -150,6 +150,7 @@ def test_numbers_that_wander_do_not_need_a_plan_each() -> None:
 
 
 def test_a_long_plan_serves_again_after_other_numbers() -> None:
+    """Numbers of each of the two sizes have a plan, so two calculations are traced."""
     counted = Counted(lambda numbers: [sum((numbers[0] * n for n in range(2, 99)), numbers[0])])
     own = Plans(counted)
     for size in (1.0, 1e6) * 3:
