@@ -168,8 +168,8 @@ class MapLaw(Law):
 def speed_range(speeds: Sequence[float]) -> str:
     """Return the range of ascending speeds [rad/s] as text.
 
-    >>> speed_range([0, 50 * math.pi])
-    '0 to 1500 rpm'
+    >>> speed_range([5 * math.pi, 50 * math.pi])
+    '150 to 1500 rpm'
     """
     return f"{speeds[0] / RAD_PER_RPM:.6g} to {speeds[-1] / RAD_PER_RPM:.6g} rpm"
 
