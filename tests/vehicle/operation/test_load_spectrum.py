@@ -64,23 +64,6 @@ def test_equivalent_torque_and_turns() -> None:
     assert found == pytest.approx([20 * 2 * 0.9, 750 / (2 * math.pi)])
 
 
-def test_planets_turn_on_their_pins() -> None:
-    """A held ring: the carrier turns by 30/104 of the sun, the planet by 30/22 of the rest."""
-    case = loads(
-        "links: [s, r, c]\nshift_elements: {B: [r, housing], C: [s, c]}\n"
-        "elements: {P: {kind: planetary, sun: s, ring: r, carrier: c, "
-        "teeth: {sun: 30, ring: 74, planet: 22}}}\ngears: {low: [B], direct: [C]}\n",
-        format="yaml",
-    )
-    both = points((100.0, 20.0, 10.0), (100.0, 20.0, 50.0))._replace(gears=np.array([0, 1]))
-    one = spectrum(case, both).members["P.planet"]
-    speed = 100 * (1 - 30 / 104) * 30 / 22
-    assert abs(one.speed.largest) == pytest.approx(speed * 30 / math.pi)
-    assert one.speed.row == 1
-    assert one.revolutions == pytest.approx(speed * 10 / (2 * math.pi))
-    assert np.isnan([one.torque.largest, one.equivalent_torque]).all()
-
-
 def test_a_clutch_that_slips_only_without_torque_has_no_equivalent_torque() -> None:
     """C slips in low, where it is disengaged, and carries torque in direct, where it sticks."""
     elements = [ShiftElement(2, 0, "B"), ShiftElement(1, 3, "C")]
