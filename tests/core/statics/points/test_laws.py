@@ -14,7 +14,7 @@ from tests.core.statics.test_drag import nearest
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
-from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, Transmission, solve
 from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.traced import plain
@@ -35,25 +35,6 @@ def test_ratios_vary_beside_laws() -> None:
     found = solve(case, ratios=[[-2], [-3]])
     expected = [1 - (1 + 0.01 * 200 / u) / (80 * u) for u in (2, 3)]
     np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-13)
-
-
-def test_an_efficiency_linear_in_torque_solves_a_quadratic() -> None:
-    """Carrier in, ring held, sun out at ratio -2: power leaves by the sun, so x = -1.
-
-    T = M (1 - u/eta) = M (1 + 2/eta) with eta = a + b M: b M^2 + (a + 2 - b T) M - a T = 0.
-    """
-    a, b = 0.9, 0.0005
-    sets = [Mechanism(3, 2, 1, -2.0, PointLaw([(0, a), (150, a + 150 * b)], "torque"))]
-    for torque in (5.0, 60.0, 200.0, 400.0):
-        load = Load(1000, torque)
-        case = Transmission(3, [ShiftElement(2)], sets, [Gear([1])], load=load, output=3)
-        results = solve(case)
-        middle = a + 2 - b * torque
-        sun = (-middle + math.sqrt(middle**2 + 4 * b * a * torque)) / (2 * b)
-        assert sun <= 150
-        assert results.lossy_torques_Nm[0, -1] == pytest.approx(sun, rel=1e-12)
-        assert results.consistent.all()
-        assert results.messages == ()
 
 
 def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
