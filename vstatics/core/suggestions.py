@@ -98,7 +98,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     words = grouped((name.casefold(), name) for name in names)
     asked = word.casefold()
     longer = [name for name in words if asked in name and len(asked) >= _LEAST_PART]
-    matches = sorted(longer, key=len) or difflib.get_close_matches(asked, words, n=1, cutoff=0.65)
+    matches = sorted(longer, key=len) or difflib.get_close_matches(asked, words, n=1, cutoff=0.62)
     if not matches:
         return ""
     [match] = difflib.get_close_matches(word, words[matches[0]], n=1, cutoff=0)
