@@ -84,7 +84,7 @@ class Commands(LazyGroup):
 
     def _status(self, ctx: click.Context, stop: Stop) -> int:
         try:
-            return super().invoke(ctx) or DONE
+            status = super().invoke(ctx) or DONE
         except click.exceptions.Exit as leaving:
             return leaving.exit_code
         except ReadError as error:
@@ -96,6 +96,9 @@ class Commands(LazyGroup):
             from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
+        else:
+            stop.check()
+            return status
         return FAILED
 
 

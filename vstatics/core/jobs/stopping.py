@@ -31,7 +31,7 @@ class Stop:
     def check(self) -> None:
         """Raise the error again if a signal was received.
 
-        Python can have dropped the error, if the signal occurred in a finaliser.
+        Python can have dropped the error, for example if the signal occurred in a finaliser.
 
         Raises
         ------
@@ -47,7 +47,7 @@ def stoppable() -> Iterator[Stop]:
     """Make SIGINT and SIGTERM raise `StoppedError` within the block.
 
     A signal during an import raises the error after the import, because partly imported modules
-    would cause other errors.
+    would cause other errors. An error that Python drops in a finaliser is raised again.
 
     >>> try:
     ...     with stoppable() as stop:
@@ -60,20 +60,19 @@ def stoppable() -> Iterator[Stop]:
     if threading.current_thread() is not threading.main_thread():
         yield stop  # other threads cannot handle signals
         return
-    later = False
 
     def receive(number: int, frame: FrameType | None) -> None:
-        nonlocal later
         if number in ENDING:
             stop.error = StoppedError(number)
-        later = bool(AGAIN) and _is_import(frame)
-        if later:
-            signal.setitimer(signal.ITIMER_REAL, SIGNAL_DELAY)
+        if AGAIN and _is_import(frame):
+            _set_timer(SIGNAL_DELAY)
         else:
             stop.check()
 
     def report_dropped(unraisable: sys.UnraisableHookArgs) -> None:
-        if not isinstance(unraisable.exc_value, StoppedError):
+        if isinstance(unraisable.exc_value, StoppedError):
+            _set_timer(SIGNAL_DELAY)  # the finaliser ends before the next signal
+        else:
             hook(unraisable)
 
     hook, sys.unraisablehook = sys.unraisablehook, report_dropped
@@ -81,13 +80,17 @@ def stoppable() -> Iterator[Stop]:
     try:
         yield stop
     finally:
-        if later:
-            signal.setitimer(signal.ITIMER_REAL, 0)
+        waiting = _set_timer(0)
         for number, handler in before.items():
             signal.signal(number, handler)
         sys.unraisablehook = hook
-    if later:
+    if waiting:
         stop.check()
+
+
+def _set_timer(delay: float) -> bool:
+    """Signal after a delay, or not if it is 0, and return whether a signal was still to come."""
+    return bool(AGAIN) and signal.setitimer(signal.ITIMER_REAL, delay)[0] > 0
 
 
 def _is_import(frame: FrameType | None) -> bool:
