@@ -15,7 +15,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed
 from vstatics.core.model.checks import hints
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.statics.diagnosis import undriven_gears
+from vstatics.core.statics.diagnosis.unknown_speeds import undriven_gears
 from vstatics.core.statics.solution import solution
 from vstatics.core.suggestions import why_not_allowed
 

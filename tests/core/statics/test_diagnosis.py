@@ -20,7 +20,9 @@ from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import Load, SpeedOf
 from vstatics.core.model.springs import Spring, between
 from vstatics.core.readers import loads
-from vstatics.core.statics.diagnosis import is_uncertain, regular_gears, undriven_gears
+from vstatics.core.statics.diagnosis import regular_gears
+from vstatics.core.statics.diagnosis.unknown_speeds import undriven_gears
+from vstatics.core.statics.ideal import is_uncertain
 from vstatics.core.statics.results import Results
 
 

@@ -19,7 +19,7 @@ from tests.trains import random_train
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, loads
 from vstatics import solve as solved
 from vstatics.core.model.checks import hints
-from vstatics.core.statics.diagnosis import undriven_gears
+from vstatics.core.statics.diagnosis.unknown_speeds import undriven_gears
 from vstatics.core.writers import deck, named
 
 U = -73 / 35

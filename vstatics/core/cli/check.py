@@ -29,7 +29,8 @@ from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, count_of, quoted, spoken
 from vstatics.core.extras import higher
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.statics.diagnosis import freedom, given_constraints, undriven_gears
+from vstatics.core.statics.diagnosis.freedom import freedom, given_constraints
+from vstatics.core.statics.diagnosis.unknown_speeds import undriven_gears
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import CONFLICT, TIED_UP

@@ -13,7 +13,7 @@ object for each gear.
 The modules follow docs/method.md: `matrix`, `speeds`, `torques` (with drag), `ideal` (a gear
 without losses), `efficiency`, `losses`, `signs` (directions of power), `freewheels`, `state` (all
 results of a gear, with `power`, `bodies` and `status`), `variants` (arrays over many variants),
-`result_arrays`, `results`, `solution`. The package `points` varies numbers of a case in SI units.
-`diagnosis`, `idle_by_coincidence` and `digits` detect irregular gears and write the messages about
-them. `solve` contains the public functions.
+`result_arrays`, `results`, `solution`. The package `diagnosis`, `idle_by_coincidence` and `digits`
+detect irregular gears and write the messages about them. The package `points` varies numbers of a
+case in SI units. `solve` contains the public functions.
 """

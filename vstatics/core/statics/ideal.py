@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.core.model.parts import Mechanism
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
-from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.start import NamedTuple
 from vstatics.core.statics import matrix
@@ -192,3 +192,14 @@ def _torques_by_link(
         for link, torque in given.items():
             by_link[link].append((OUTSIDE, absolute(torque)))
     return by_link
+
+
+def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
+    """Return whether output torque times output speed differs from 1 because of rounding.
+
+    By equation (1) of docs/method.md, ``Mx * w_output = 1`` in a gear without losses and without
+    further given speeds or torques.
+    """
+    if gear.speeds or gear.torques or gear.slipping:
+        return False
+    return abs(output_torque * output_speed - 1) > UNCERTAIN

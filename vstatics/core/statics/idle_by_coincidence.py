@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from itertools import islice
 
 import numpy as np
 
+from vstatics.core.errors import spoken
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.tolerances import TIE
-from vstatics.core.numerics.traced import Number, absolute
+from vstatics.core.numerics.traced import Number, absolute, plain
 from vstatics.core.statics.bodies import held_as_one
 from vstatics.core.statics.efficiency import lossy_ratios
 from vstatics.core.statics.matrix import columns, rows
 from vstatics.core.statics.power import power
+from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
@@ -124,3 +127,30 @@ def _differ(torques: list[Number], others: list[Number]) -> bool:
     pairs = [(a, b) for a, b in zip(torques, others, strict=True) if a == a and b == b]  # noqa: PLR0124
     largest = max((absolute(a) for a, _ in pairs), default=0.0)
     return any(absolute(a - b) > TIE * largest for a, b in pairs)
+
+
+def idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) -> Iterator[Message]:
+    """Report mechanisms without power whose assumed direction of power affects the torques."""
+    matters = coincidences(results, number, gear, idle)
+    if matters:
+        what = "torques with losses and efficiency depend"
+        if not any(matters.values()):
+            what = "torques with losses, but not the efficiency, depend"
+        verb = "happens" if len(matters) == 1 else "happen"
+        yield Message(
+            "N413" if _is_straight_ahead(results, number, [*matters]) else "W425",
+            f"{spoken([*matters])} {verb} to transmit no power; {what} on the direction of power "
+            "that is assumed there",
+        )
+
+
+def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
+    """Return whether all mechanisms `idle` rotate with a locked-up differential (no turn)."""
+    speeds = [0.0, *map(plain, results.gear_at(number).speeds)]
+    parts = [part for part in results.case.mechanisms if part.name in idle]
+    of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
+    return all(
+        any(math.isclose(speeds[link], speed, rel_tol=TIE) for speed in of_differentials)
+        for part in parts
+        for link in (part.first, part.third)
+    )

@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeVar
 
 from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.statics.diagnosis import freedom
+from vstatics.core.statics.diagnosis.freedom import freedom
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_same
