@@ -334,6 +334,10 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
         expect_operands(part, source, "t")
 
 
+_SAME = {"time": "t", "omega": "speed", "e": "exp", "π": PI}
+"""Names in formulas of other languages, with the names of formulas."""
+
+
 def _check_name(
     part: TableName, names: Collection[str], words: Vocabulary, source: Excerpt
 ) -> None:
@@ -360,7 +364,7 @@ def _check_name(
     if rows:
         expected += f"; name the link or component, as in {word}('{next(iter(rows))}')"
     others = (*known, *words.rows, *FUNCTIONS, PI)
-    hint = "" if word in (*VARIABLES, *words.rows) else nearest(name, others)
+    hint = "" if word in (*VARIABLES, *words.rows) else nearest(_SAME.get(name, name), others)
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)
 
 

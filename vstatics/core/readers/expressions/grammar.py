@@ -332,8 +332,23 @@ ELSEWHERE = {
 """Operators of other languages, with the operators of formulas."""
 _SAME_FUNCTION = {"ln": "log", "sgn": "sign"}
 """Functions of other languages, with the functions of formulas."""
-_EQUIVALENT = {"pow": "x**2", "fabs": "abs(x)", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
+_EQUIVALENT = {
+    "pow": "x**2",
+    "square": "x**2",
+    "fabs": "abs(x)",
+    "tan": "sin(x)/cos(x)",
+    "asin": "atan(x/sqrt(1 - x**2))",
+    "acos": "pi/2 - atan(x/sqrt(1 - x**2))",
+    "atan2": "2*atan(y/(sqrt(x**2 + y**2) + x))",
+    "sinh": "(exp(x) - exp(-x))/2",
+    "cosh": "(exp(x) + exp(-x))/2",
+    "hypot": "sqrt(x**2 + y**2)",
+    "clip": "max(a, min(x, b))",
+    "log10": "log(x)/log(10)",
+}
 """Functions of other languages, with equivalent formulas."""
+_ROUNDING = ("floor", "ceil", "round", "trunc", "int", "mod", "fmod", "rem")
+_NO_ROUNDING = "; no function rounds, so write steps as comparisons, such as `(x > 1) + (x > 2)`"
 _OF_CASES = ("if", "where", "step", "heaviside")
 _CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
@@ -344,9 +359,17 @@ def _advice(name: str, language: Language) -> str:
     """Return advice on an unknown function.
 
     A function of Python's `math` is not a misspelling, so no similar name is suggested.
+
+    >>> numbers = {"atan": math.atan, "sqrt": math.sqrt, "pi": math.pi, "x": -0.6, "y": 0.8}
+    >>> round(eval(_EQUIVALENT["atan2"], numbers) - math.atan2(0.8, -0.6), 12)
+    0.0
+    >>> round(eval(_EQUIVALENT["acos"], numbers) - math.acos(-0.6), 12)
+    0.0
     """
     if name in _OF_CASES:
         return _CASES
+    if name in _ROUNDING:
+        return _NO_ROUNDING
     formula = _EQUIVALENT.get(name, "")
     if formula and {*re.findall(r"\w+(?=\()", formula)} <= {*language.functions}:
         return f"; write {name} as {quoted(formula)}"
@@ -373,7 +396,9 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
         return f"read `{read}`, which this language does not have{hint}"
     shown = quoted(read or source.text[at])
     expected = "expected an operator such as `+`, `<` or `and`, or an end"
-    expected += _CASES if source.has("?", at) else ""
+    expected += (
+        _CASES if source.has("?", at) else _NO_ROUNDING * (source.has("%", at) or read in _ROUNDING)
+    )
     return f"read {shown} after {quoted(before)}, {expected}"
 
 
