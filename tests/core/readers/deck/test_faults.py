@@ -89,6 +89,7 @@ empty:1:1: the file is empty ... KJG=
 blank:1:1: the file is empty ... KJG=
 prose:1:1: no field of a deck found ... `KJG=` first, or `--from yaml`
 utf-16:1:1: UTF-16 ... save it as UTF-8
+utf-32:1:1: UTF-32 ... save it as UTF-8
 binary:1:1: binary ... UTF-8
 half-a-character:1:3: byte 0xD0 is not UTF-8
 """

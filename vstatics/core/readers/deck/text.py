@@ -96,8 +96,9 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     ReadError
         If the file contains no text.
     """
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    if data.startswith((b"\xff\xfe", b"\xfe\xff", b"\0\0\xfe\xff")):
+        kind = "UTF-32" if b"\0\0" in data[:4] else "UTF-16"
+        raise _unreadable(file, f"the file is {kind} text, expected UTF-8: save it as UTF-8")
     # end of a DOS file; the rest of its last block is undefined
     data, _, _ = data.partition(b"\x1a")
     if b"\0" in data:
