@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-_BLANKS = "[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]"
-"""No-break, thin and other typographic blanks."""
+_BLANKS = "[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000\ufeff]"
+"""No-break, thin and other typographic blanks, and byte order marks within joined files."""
 DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 """Minus sign, and dashes that word processors write for a hyphen."""
 
@@ -13,8 +13,8 @@ DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 def with_plain_blanks(text: str) -> str:
     r"""Return a text with plain blanks for typographic blanks; positions do not change.
 
-    >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW")
-    '300 N*m, 1 kW'
+    >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW\n\ufeff12")
+    '300 N*m, 1 kW\n 12'
     """
     return text if text.isascii() else re.sub(_BLANKS, " ", text)
 

@@ -9,7 +9,7 @@ from contextvars import ContextVar
 from pathlib import Path
 
 from vstatics.core.jobs.input_files import read_file
-from vstatics.core.readers.named.nodes import encoding_of
+from vstatics.core.readers.named.nodes import text_of
 from vstatics.core.readers.signs import with_plain_blanks
 
 _RECORDED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
@@ -74,7 +74,7 @@ def lines_of(file: Path, most: int) -> list[str]:
         noted.add(str(file))
     data = read_file(file, most, regular=True)
     try:
-        text = data.decode(encoding_of(data))
+        text = text_of(data)
     except UnicodeDecodeError:
         raise ValueError("expected text in UTF-8") from None
     return io.StringIO(with_plain_blanks(text)).readlines()

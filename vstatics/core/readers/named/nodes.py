@@ -173,6 +173,17 @@ def encoding_of(data: bytes) -> str:
     )
 
 
+def text_of(data: bytes) -> str:
+    """Return a text in UTF-8, or in the encoding of the byte order mark, without this mark.
+
+    Programs that add a mark to a text with a mark cause several marks, which are all left out.
+
+    >>> text_of(2 * codecs.BOM_UTF8 + b"links: 3")
+    'links: 3'
+    """
+    return data.decode(encoding_of(data)).lstrip("\ufeff")
+
+
 def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
     """Decode a text in UTF-8, or in the encoding of the byte order mark.
 
@@ -186,7 +197,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
         message = f"read a workbook or archive, not a text, expected {expected}"
         DocumentText(Source(file, "")).stop(f"{message}; save a table as CSV", 1, 1)
     try:
-        text = data.decode(encoding)
+        text = text_of(data)
     except UnicodeDecodeError as error:
         if b"\0" in data[: error.start] and encoding == "utf-8":
             DocumentText(Source(file, "")).stop(

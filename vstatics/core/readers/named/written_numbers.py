@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.readers.named.node_numbers import number_of, number_text
-from vstatics.core.readers.named.nodes import BYTE_ORDER_MARKS, Listing, Node, Scalar, encoding_of
+from vstatics.core.readers.named.nodes import BYTE_ORDER_MARKS, Listing, Node, Scalar, text_of
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
@@ -104,7 +104,7 @@ def with_written(
     >>> with_written(b"speed: 2*500 rpm # fast", spots, {("speed",): 1200.0})
     b'speed: 1200 rpm # fast'
     """
-    text = data.decode(encoding_of(data))
+    text = text_of(data)
     changed: dict[int, tuple[int, str]] = {}
     for keys, value in values.items():
         spot = spots[keys]
