@@ -41,6 +41,8 @@ NO_YAML = {
     ("a: [b, c\nd: e", 2, 2): "the list that begins on line 1, column 4 is not closed",
     # github.com/monarch-initiative/dismech/issues/12094: ` #` in a text begins a comment
     ("a: [b #1, c]\nd: e", 2, 1): "expected `,` or `]`; ` #` begins a comment, so write a text",
+    # a name of a file as key: github.com/AlDanial/cloc/issues/312
+    ("a: 1\nC #1: [b]\n", 2, 1): "such as `low: [C1, B1]`; ` #` begins a comment, so write a text",
     ("a: {b: 1; c: 2}", 1, 12): "the mapping that begins on line 1, column 4 is not closed",
     ("- 1\nb: 2", 2, 1): "the list that begins on line 1, column 1 continues with `- `",
     ("a: 1\nb [c]\n", 2, 1): "expected a key with a colon and a blank",

@@ -67,11 +67,12 @@ Node: TypeAlias = Scalar | Listing | Mapping
 
 
 class DocumentText:
-    """Text of a document, with up to `MOST_PROBLEMS` problems found in the text."""
+    """Text of a document, with warnings and up to `MOST_PROBLEMS` problems found in the text."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
         self.problems: list[Problem] = []
+        self.warnings: list[Problem] = []
 
     @cached_property
     def text(self) -> str:

@@ -43,6 +43,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = document.mapping(within_result(root), expected)
+    document.problems += document.warnings
     walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
     masses = any(

@@ -12,6 +12,7 @@ from typing import Any
 
 import yaml
 
+from vstatics.core.errors import Problem
 from vstatics.core.readers.named.nodes import (
     DASH_HINT,
     UNKNOWN_KEY,
@@ -45,6 +46,9 @@ _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
 """Pattern of a text with `[`, which YAML reads as the start of an inner list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
 """Pattern of a ratio with blanks around the colon, which YAML reads as the end of a key."""
+_COMMENT_HINT = "; ` #` begins a comment, so write a text that contains ` #` in quotes"
+_CUT = re.compile(r" +#\d")
+"""Pattern after a text that probably continues: a number follows the sign of a comment."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -54,12 +58,21 @@ _TAGS = {
 
 
 def yaml_tree(document: DocumentText) -> Node:
-    """Return the tree of nodes of a text that contains a single YAML document.
+    r"""Return the tree of nodes of a text that contains a single YAML document.
 
     Raises
     ------
     ReadError
         If the text is not YAML, does not contain exactly one document, or is nested too deeply.
+
+    Examples
+    --------
+    >>> from vstatics.core.readers.reading import Source
+    >>> text = "name: Box #3\nsource: 'P #2' #1\ninput: a # 1\noutput: b #6P\nratio: 3 #4"
+    >>> document = DocumentText(Source("box.yaml", text))
+    >>> _ = yaml_tree(document)
+    >>> [problem.place[1:3] for problem in document.warnings]
+    [(1, 7), (4, 9)]
     """
     unprintable = _UNPRINTABLE.search(document.text)
     if unprintable:
@@ -191,7 +204,12 @@ class _Builder:
     def scalar(self, event: Any, line: int, column: int) -> Scalar:
         self.document.check_characters(event.value, line, column)
         plain = not event.style and event.tag not in ("!", _STANDARD + "str")
-        return Scalar(event.value, line, column, plain)
+        text = event.value
+        if plain and _CUT.match(self.document.text, event.end_mark.index) and text[:1].isalpha():
+            message = f"text '{shown(text)}' ends at ` #`, expected quotes if more belongs to it"
+            place = self.document.source.place(line, column)
+            self.document.warnings.append(Problem("W104", message, (), place))
+        return Scalar(text, line, column, plain)
 
     def alias(self, event: yaml.AliasEvent) -> Node:
         anchor = event.anchor or ""
@@ -231,7 +249,8 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
     index = error.problem_mark.index if error.problem_mark else len(text)
     raw = ", ".join(part for part in (context, problem) if part)
     if problem == _NO_COLON:
-        hint = DASH_HINT if begin and re.match(r"-\w", text[begin.index :]) else ""
+        line = text[begin.index :].partition("\n")[0] if begin else ""
+        hint = DASH_HINT * bool(re.match(r"-\w", line)) + _COMMENT_HINT * (" #" in line)
         return f"expected a key with a colon and a blank, such as `low: [C1, B1]`{hint}"
     if problem.startswith("mapping values are not allowed"):
         return "read a second `: `; write a text with a colon in quotes, and check the indentation"
@@ -245,8 +264,7 @@ def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:
-            comment = "; ` #` begins a comment, so write a text that contains ` #` in quotes"
-            hint = comment * (" #" in text[begin.index : index])
+            hint = _COMMENT_HINT * (" #" in text[begin.index : index])
             open_part = f"the {name} that begins on {place} is not closed"
             return f"{open_part}, expected `,` or `{bracket}`{hint}"
     if "quoted scalar" in context and index >= len(text):
