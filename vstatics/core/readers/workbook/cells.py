@@ -12,7 +12,7 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.workbook.parts import PackedParts
 
 MOST_ROWS, MOST_COLUMNS = 10_000, 500
-"""Maximum number of rows and columns of a sheet."""
+"""Maximum number of rows and columns of a sheet, up to the last cell with a value."""
 MOST_SHEET_CELLS = 200_000
 """Maximum number of cells of a sheet, including cells without a value."""
 MOST_CELL_CHARACTERS = 32_767
@@ -104,7 +104,8 @@ class _SheetElements:
             self._attributes, self._contents = given, {}
             self._column = column
             self._cells += 1
-            self._check()
+            if self._cells > MOST_SHEET_CELLS:
+                raise ValueError(f"expected at most {MOST_SHEET_CELLS} cells")
         elif name in ("v", "f", "t"):
             self._contents.setdefault(name, [])
         elif name == "mergeCell":
@@ -124,6 +125,8 @@ class _SheetElements:
             except ValueError as error:
                 self._report(str(error), self._row, self._column)
                 return
+            if text and (self._row > MOST_ROWS or self._column > MOST_COLUMNS):
+                raise ValueError(f"expected at most {MOST_ROWS} rows and {MOST_COLUMNS} columns")
             if text:
                 self.rows[-1].append(ReadCell(text, self._row, self._column))
 
@@ -131,14 +134,8 @@ class _SheetElements:
         if number <= self._row:
             raise ValueError(f"row {number} is not in order")
         self._row, self._column = number, 0
-        self._check()
-        self.rows.append([])
-
-    def _check(self) -> None:
-        if self._row > MOST_ROWS or self._column > MOST_COLUMNS:
-            raise ValueError(f"expected at most {MOST_ROWS} rows and {MOST_COLUMNS} columns")
-        if self._cells > MOST_SHEET_CELLS:
-            raise ValueError(f"expected at most {MOST_SHEET_CELLS} cells")
+        if not self.rows or self.rows[-1]:
+            self.rows.append([])
 
     def _value(self) -> str:
         """Return the text of the current cell; empty for an empty cell.
