@@ -30,6 +30,8 @@ _GROUPED = re.compile(
     r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
+_THOUSANDS = re.compile(r"(?<![0-9.,])[1-9][0-9]{0,2}(?:,[0-9]{3})+(?![0-9.,])")
+"""Number with commas that can group digits, such as 2,590."""
 # A match begins only where digits begin, so the search takes linear time.
 _JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+(?:\.[0-9]+)?")
 _FURTHER = re.compile(
@@ -150,7 +152,14 @@ def slip(text: str) -> str:
     (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
     >>> slip("1_00.5 N*m"), slip("1 000,5 kg")
     (' (digits without `_`: 100.5)', ' (digits without blanks: 1000.5)')
+    >>> slip("-2,590 rpm"), slip("1,234,567")
+    (' (2590, or 2.590 with a decimal point)', ' (digits without `,`: 1234567)')
     """
+    if thousands := _THOUSANDS.search(text):
+        whole, point = thousands[0].replace(",", ""), thousands[0].replace(",", ".")
+        if point.count(".") > 1:
+            return f" (digits without `,`: {whole})"
+        return f" ({whole}, or {point} with a decimal point)"
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         sign = grouped[1] or grouped[2]
         signs = "blanks" if sign == " " else f"`{sign}`"
