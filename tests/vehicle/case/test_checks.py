@@ -126,14 +126,16 @@ def test_a_loss_that_takes_all_power_near_rest_is_a_doubt(
     assert math.isnan(performance(case).time_to_100) == warns
 
 
-@pytest.mark.parametrize("key", ["frontal_area", "Cd"])
-def test_a_drag_coefficient_and_a_frontal_area_are_not_a_drag_area(key: str) -> None:
+@pytest.mark.parametrize("key", ["frontal_area", "Cd", "wheel_diameter", "traction"])
+def test_a_drag_coefficient_and_a_diameter_get_advice(key: str) -> None:
     """The answer "did you mean `drag_area`?" would omit a factor.
 
-    Source: alternate inputs of vehicles, github.com/NatLabRockies/fastsim/issues/300.
+    Sources: alternate inputs of vehicles, github.com/NatLabRockies/fastsim/issues/300, and limits
+    of traction in pull/256 there.
     """
     text = (
         f"links: 2\nmechanisms: {{a: {{first: 1, second: 2, ratio: 4}}}}\nvehicle: {{{key}: 2.2}}"
     )
-    with pytest.raises(ReadError, match="`drag_area` is the drag coefficient times the frontal"):
+    advice = "`drag_area` is the drag coefficient times|`radius` is half|tyres never slip here"
+    with pytest.raises(ReadError, match=advice):
         loads(text)

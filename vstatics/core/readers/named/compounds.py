@@ -52,8 +52,23 @@ _SYNONYMS = {
     "differential": "bevel",
 }
 """Keys and kinds that users try, with the words of a case that have this meaning."""
-_OF_DRAG = ("frontal_area", "area", "drag_coefficient", "cd", "cw", "cda")
-"""Keys of other programs for the factors of air drag, in lower case."""
+_OF_OTHERS = {
+    ("frontal_area", "area", "drag_coefficient", "cd", "cw", "cda"): (
+        "drag_area",
+        "`drag_area` is the drag coefficient times the frontal area",
+    ),
+    ("diameter", "wheel_diameter", "tire_diameter"): ("radius", "`radius` is half the diameter"),
+    ("traction", "grip", "mu", "drive_axle_weight_frac"): ("rolling", "tyres never slip here"),
+    ("rule", "haibach", "k_2", "k2"): (
+        "threshold",
+        "a damage has a single `exponent`, down to `threshold` (Miner's rule)",
+    ),
+    ("ultimate", "uts", "goodman", "gerber", "mean"): (
+        "asymmetry",
+        "the influence of the mean stress is `asymmetry`",
+    ),
+}
+"""Keys of other programs, in lower case, with a key of the same mapping and advice."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
@@ -113,14 +128,17 @@ def _advice(key: str, known: Collection[str], *, has_value: bool = False) -> str
     '; sun, ring, carrier and teeth are keys of gear sets under `elements`'
     >>> _advice("ratio", ["sun", "ring", "teeth"])
     '; a gear set with a ratio instead of teeth is written under `mechanisms`'
+    >>> _advice("diameter", ["mass", "radius"])
+    '; `radius` is half the diameter'
     """
     name, colon, value = key.partition(":")
     if _AFTER_COMMA.fullmatch(key) and not has_value:
         return f"; {NO_COMMA}"
     if colon and value and name in known:
         return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"
-    if "drag_area" in known and key.lower() in _OF_DRAG:
-        return "; `drag_area` is the drag coefficient times the frontal area"
+    for others, (neighbour, advice) in _OF_OTHERS.items():
+        if neighbour in known and key.lower() in others:
+            return f"; {advice}"
     if key in _MEMBERS and {"first", "ratio"} <= {*known}:
         return "; sun, ring, carrier and teeth are keys of gear sets under `elements`"
     if key == "ratio" and "teeth" in known and "ratios" not in known:
