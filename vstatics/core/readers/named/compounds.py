@@ -58,6 +58,7 @@ _OF_OTHERS = {
         "`drag_area` is the drag coefficient times the frontal area",
     ),
     ("diameter", "wheel_diameter", "tire_diameter"): ("radius", "`radius` is half the diameter"),
+    ("teeth",): ("diameters", "a toothed belt has the kind `chain`"),
     ("traction", "grip", "mu", "drive_axle_weight_frac"): ("rolling", "tyres never slip here"),
     ("rule", "haibach", "k_2", "k2"): (
         "threshold",
@@ -130,6 +131,8 @@ def _advice(key: str, known: Collection[str], *, has_value: bool = False) -> str
     '; a gear set with a ratio instead of teeth is written under `mechanisms`'
     >>> _advice("diameter", ["mass", "radius"])
     '; `radius` is half the diameter'
+    >>> _advice("teeth", ["first", "second", "diameters"])
+    '; a toothed belt has the kind `chain`'
     """
     name, colon, value = key.partition(":")
     if _AFTER_COMMA.fullmatch(key) and not has_value:
