@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
@@ -76,5 +76,16 @@ def problems_of(data: bytes, file: str, allow: Sequence[str] = ()) -> list[Probl
     undriven, notes = (
         map(reading.locate, problems) for problems in (undriven_gears(results), hints(reading.case))
     )
-    every = [*undriven, *reading.warnings, *notes, *messages]
+    every = causes_first([*undriven, *reading.warnings, *notes, *messages])
     return not_allowed(every, reading.case.untold)
+
+
+def causes_first(problems: Iterable[Problem]) -> list[Problem]:
+    """Return problems with W102 first: a link without connections causes other problems.
+
+    >>> planets = b"P: {kind: planetary, sun: in, ring: r, carrier: c, teeth: {sun: 30, ring: 70}}"
+    >>> case = b"{input: in, output: c, elements: {%b}, gears: {1: []}}" % planets
+    >>> [problem.id for problem in problems_of(case, "box.yaml")]
+    ['W102', 'E453', 'W414']
+    """
+    return sorted(problems, key=lambda problem: problem.id != "W102")

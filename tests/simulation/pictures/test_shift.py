@@ -63,7 +63,7 @@ def run(count: int = 20) -> Motion:
     names = ("sun", "ring", "carrier"), ("brake", "lock-up"), ("brake", "lock-up", "set")
     tables = [sun, ring, carrier], [ring, sun - ring], [brake, none, brake / 1.5], [heat, none]
     speeds, slips, torques, heats = (np.stack(table, axis=1) for table in tables)
-    energy = Energy(1163.48, {"brake": 858.815102}, {}, {}, 304.665, 0.0, 0.0, 0.0)
+    energy = Energy(1163.48, {"brake": 858.815102, "lock-up": 0.0}, {}, {}, 304.665, 0.0, 0.0, 0.0)
     events, peaks = (Event(LOCK, "brake", "locks"),), {"brake": Peak(-120.0, 0.0)}
     return Motion(time, *names, speeds, slips, torques, heats, events, energy, peaks)
 
@@ -86,12 +86,18 @@ def test_panels_have_what_moves(results: Results) -> None:
 
 
 def test_columns_that_are_asked_for_have_panels_of_their_own(results: Results) -> None:
-    heat = {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]}
+    none = run().heat[:, 1]
+    heat = {"brake": run().heat[:, 0], "lock-up": none, "carrier": none}
     asked = {"slip_power": {"brake": run().slips[:, 0] * -120.0}, "heat": heat}
     found = panels(results.case, run()._replace(asked=asked))
     kinds = [(panel.kind, [name for one in panel.lines for name in one.names]) for panel in found]
-    assert kinds[-3:] == [("heat", ["brake"]), ("slip_power", ["brake"]), ("heat", ["carrier"])]
-    assert found[-1].lines[0].links == (3,)
+    assert kinds[-3:] == [
+        ("heat", ["brake"]),
+        ("slip_power", ["brake"]),
+        ("heat", ["lock-up", "carrier"]),
+    ]
+    assert found[-1].lines[1].links == (3,)
+    assert not found[-3].left_out
     power = found[-2]
     assert power.lines[0].values[0] / power.unit == pytest.approx(34.906585 * 0.12)
 

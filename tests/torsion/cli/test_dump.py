@@ -48,7 +48,7 @@ def test_without_a_gear_all_are_listed_also_those_without_such_a_torque() -> Non
     assert told == [("1", "A3", 50), ("2", "A3", 50), ("3", "A2", 50), ("4", "A2", 50)]
     assert neutral.keys() == {"name", "error"}
     assert loose["error"].startswith("engine of J1 does not rotate with propshaft")
-    assert "error: gear N: engine of J1 does not rotate with propshaft" in answer.err
+    assert "error: gears N and open: engine of J1 does not rotate with propshaft" in answer.err
 
 
 def test_json_fits_its_schema() -> None:

@@ -234,8 +234,13 @@ def test_a_case_without_inertias_or_without_springs_has_no_modes() -> None:
     answer = said("modes", text=CHAIN.partition("\n")[2])
     assert answer.gives_nothing("<stdin>", "inertias: nothing has an inertia, so nothing vibrates")
     answer = said("modes", "-f", "json", text=NEUTRAL + "inertias: {1: 1, 2: 2, 3: 3}\n")
-    assert (answer.status, answer.err.count("warning: gear ")) == (0, 2)
-    assert "nothing is elastic; expected `springs`" in answer.err
+    assert answer.err.count("warning: gear") == 1
+    assert "gears N and low: nothing is elastic; expected `springs`" in answer.err
+    fluid = (
+        "links: 2\ninertias: {1: 1, 2: 2}\nload: {speed: 1000 rpm, torque: 15 N*m}\ngears: {1: []}\n"
+        "mechanisms: {TC: {kind: converter, first: 1, second: 2, points: [[0, 2, 2e-3], [1, 1, 0]]}}"
+    )
+    assert "gear 1: nothing is elastic" in said("modes", text=fluid).err
     gears = answer.json["gears"]
     assert [(one["rigid_modes"], one["modes"]) for one in gears] == [(2, []), (1, [])]
 

@@ -86,6 +86,9 @@ def test_a_number_without_its_unit_is_reported_where_no_part_is_as_large() -> No
         # in daN/t: github.com/OpenRailAssociation/osrd/pull/17054
         "radius: 0.3, rolling: 12": ["read 12, more than a tyre can have"],
         "radius: 0.3, rolling: 1.2%": [],
+        "radius: 0.3}\nbearings: {b: {on: '2', load_per_torque: 1, dynamic: 20}": [
+            "read 20 N, less than most bearings can have"
+        ],
     }.items():
         case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
         said = [doubt.message for doubt in doubts(case) if doubt.id == "N205"]
@@ -101,13 +104,14 @@ def test_a_number_without_its_unit_is_reported_where_no_part_is_as_large() -> No
         "engine: [[1, 1e300]]",
         "engine: [[1e300, 1]]",
         "rolling: {over: speed, points: [[1, 1e300]]}",
+        "engine: [[650, 250], [2400 rpm, 420]]",
     ],
 )
-def test_numbers_that_would_overflow_are_refused(given: str) -> None:
+def test_numbers_that_would_overflow_or_lack_a_unit_are_refused(given: str) -> None:
     vehicle = {"mass": "1200", "radius": "0.3"} | dict([given.split(": ", 1)])
     keys = ", ".join(map(": ".join, vehicle.items()))
     text = f"links: 2\nmechanisms: {{a: {{first: 1, second: 2, ratio: 3}}}}\nvehicle: {{{keys}}}\n"
-    with pytest.raises(ReadError, match=rf"vehicle.{given[:4]}.*1e.15.*E268"):
+    with pytest.raises(ReadError, match=rf"vehicle.{given[:4]}.*(1e.15|after 650 rad/s).*E268"):
         loads(text, format="yaml")
 
 

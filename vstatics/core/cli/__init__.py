@@ -40,7 +40,7 @@ WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve"
 """Commands with the option --lang, whose output has several languages."""
 
 
-_ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
+_ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "torsion", "plot")}
 """Options that users expect in all commands, with the commands that have them."""
 
 

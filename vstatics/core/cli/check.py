@@ -12,6 +12,7 @@ import click
 
 from vstatics.core import readers
 from vstatics.core.annexes import module_of_method
+from vstatics.core.checking import causes_first
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
@@ -249,7 +250,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
         problems, grid, failed = outcome.problems, None, outcome.failed
         if outcome.results is not None and outcome.locate is not None:
             undriven = [*map(outcome.locate, undriven_gears(outcome.results))]
-            problems, failed = [*undriven, *problems], failed or bool(undriven)
+            problems, failed = causes_first([*undriven, *problems]), failed or bool(undriven)
             grid = constraints(outcome.file, outcome.results)
             if module_of_method("read_fuel"):
                 try:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Path, Problem, count_of, percent
+from vstatics.core.errors import Path, Problem, count_of, percent, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -359,10 +359,19 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                 "give it in this gear under `speed_ratios`, or in the mechanism for all gears"
             )
             message += ", or lambda in its points" * (mechanism.kind == "converter")
-            for place, gear in enumerate(case.gears, 1):
-                given = number in gear.speed_ratios or number in gear.open
-                if not given and not _is_bypassed(case, gear, number):
-                    yield Problem("E277", message, ("gears", place))
+            places = [
+                place
+                for place, gear in enumerate(case.gears, 1)
+                if not (
+                    number in gear.speed_ratios
+                    or number in gear.open
+                    or _is_bypassed(case, gear, number)
+                )
+            ]
+            if others := [case.gears[place - 1].name or str(place) for place in places[1:]]:
+                message += f"; it is also missing in gear {spoken(others)}"
+            if places:
+                yield Problem("E277", message, ("gears", places[0]))
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
@@ -622,7 +631,8 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
-    """Return a note that a number is implausibly large and probably lacks a unit."""
-    other = {"m": "mm", "rad": "deg"}.get(unit, "rpm")
+    """Return a note that a number is implausible in its unit and probably lacks another unit."""
+    other = {"m": "mm", "rad": "deg", "N": "kN", "Pa": "MPa"}.get(unit, "rpm")
+    than = "less" if unit in ("N", "Pa") else "more"
     hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
-    return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)
+    return Problem("N205", f"read {value:g} {unit}, {than} than {what} can have: {hint}", path)

@@ -181,7 +181,7 @@ def _heat(motion: Motion) -> list[MotionPanel]:
         line = MotionLine((name,), over_time[table][name], distinction=distinction)
         if ends[table, name] > least:
             lines.append(line)
-        else:
+        elif name not in motion.asked.get(table, ()):
             small += line.labels
     heat = panels_of("heat", "heat, kJ", 1e3, lines, by_size=True)
     if heat:

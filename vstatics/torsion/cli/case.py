@@ -150,6 +150,8 @@ def located(
 ) -> list[Problem]:
     """Return the messages about gears as problems at the positions of the gears in a file.
 
+    Equal messages of several gears are one problem, at the first of these gears.
+
     Parameters
     ----------
     reading : Reading
@@ -160,11 +162,15 @@ def located(
     """
     numbers = {gear.name: number for number, gear in enumerate(reading.case.gears, 1)}
     problems = []
-    for name, message in texts_by_gear:
+    for message, names in grouped((text, name) for name, text in texts_by_gear).items():
         if message:
-            place = reading.locate(Problem(identity, "", ("gears", numbers[name]))).place
-            problems.append(Problem(identity, f"gear {name}: {message}", (), place))
+            place = reading.locate(Problem(identity, "", ("gears", numbers[names[0]]))).place
+            problems.append(Problem(identity, _of_gears(names, message), (), place))
     return problems
+
+
+def _of_gears(names: Sequence[str], message: str) -> str:
+    return f"{plural('gear', len(names))} {spoken(names)}: {message}"
 
 
 def gears_answer(
@@ -233,9 +239,7 @@ def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem
         for slope in spring_slopes(case, gear)
     )
     notes = [
-        reading.locate(
-            note._replace(message=f"{plural('gear', len(names))} {spoken(names)}: {note.message}")
-        )
+        reading.locate(note._replace(message=_of_gears(names, note.message)))
         for note, names in equal.items()
     ]
     return [*located(reading, doubts, "W431"), *notes]

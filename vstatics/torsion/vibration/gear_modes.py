@@ -249,7 +249,7 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
 
 
 def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Iterator[str]:
-    if not system.elastic and not system.resists:
+    if not system.elastic:
         yield (
             "nothing is elastic; expected `springs`, or a `stiffness` of a component that takes "
             "part"

@@ -8,6 +8,7 @@ from typing import Any
 from vstatics.core.errors import Problem, quoted
 from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.shape import NUMBER, TEXT, ByForm, ByKey, ByName, KeyShape, Leaf, ListOf
 from vstatics.core.model.torsional_checks import above_0
 from vstatics.core.model.torsional_keys import ABOVE_0
@@ -63,6 +64,8 @@ BEARING = ByKey(
     ),
     lambda on, **others: Bearing(on if isinstance(on, str) else tuple(on), **others),
 )
+WEAKEST_BEARING = 500.0
+"""Least plausible dynamic load rating of a bearing in a transmission. [N]"""
 
 
 def of_bearings(case: TransmissionFields) -> Iterator[Problem]:
@@ -84,6 +87,13 @@ def of_bearings(case: TransmissionFields) -> Iterator[Problem]:
             ("exponent", "an exponent"),
         ):
             yield from above_0(getattr(bearing, key), what, (*path, key))
+
+
+def doubts_of_bearings(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield notes about load ratings that probably lack their unit kN."""
+    for number, bearing in enumerate(Bearing.of(case).values(), 1):
+        if bearing.dynamic < WEAKEST_BEARING:
+            yield no_unit(bearing.dynamic, "N", "most bearings", ("bearings", number, "dynamic"))
 
 
 def _of_places(bearing: Bearing, members: Members, path: tuple[Any, ...]) -> Iterator[Problem]:
@@ -117,5 +127,6 @@ KEY = CaseKey(
     Mapping[str, Bearing],
     _record,
     of_bearings,
+    doubts_of_bearings,
     names_members=True,
 )

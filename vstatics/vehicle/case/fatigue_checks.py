@@ -92,10 +92,6 @@ def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """Yield notes about diameters and stresses that probably lack their unit mm or MPa."""
     for name, fatigue in Fatigue.of(case).items():
         if fatigue.endurance < WEAKEST_METAL:
-            message = (
-                f"read {fatigue.endurance:g} Pa, less than a metal can have: a number without a "
-                f"unit is in Pa, so write `{fatigue.endurance:g} MPa` if this is meant"
-            )
-            yield Problem("N205", message, ("fatigue", name, "endurance"))
+            yield no_unit(fatigue.endurance, "Pa", "a metal", ("fatigue", name, "endurance"))
         if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
             yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

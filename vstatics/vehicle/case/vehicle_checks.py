@@ -61,7 +61,12 @@ def _of_points(
         if not 0 <= speed <= LARGEST_NUMBER or speed <= before:
             most = f"up to {LARGEST_NUMBER:g} {of_speed}"
             least = most if speed > LARGEST_NUMBER else "of 0 or more"
-            message = f"read {speed:g} {of_speed}, expected speeds {least} in ascending order"
+            after = hint = ""
+            if speed <= before:
+                after = f" after {before:g} {of_speed}"
+                hint = f"; a number without a unit is in {of_speed}"
+            expected = f"speeds {least} in ascending order{hint}"
+            message = f"read {speed:g} {of_speed}{after}, expected {expected}"
             yield Problem("E268", message, (*path, number))
         if not 0 <= sign * value <= LARGEST_NUMBER:
             side = "0 or more" if sign > 0 else "0 or less"

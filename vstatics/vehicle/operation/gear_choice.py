@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem
+from vstatics.core.errors import CaseError, Problem, spoken
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.vehicle.operation.point_loads import numbers_of_gears, unknown_gear
@@ -64,7 +64,7 @@ def chosen_gears(
         "--strategy": choice.least_loss,
     }
     if len(means := [name for name, given in ways.items() if given]) > 1:
-        message = f"{' and '.join(means)} both give the gears, expected one of them"
+        message = f"{spoken(means)} give the gears, expected one of them"
         raise CaseError("E426", message, place=trace.place)
     if choice.slowest is not None:
         ahead = next(iter(directions(ratios, names)), [])

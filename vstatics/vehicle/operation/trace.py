@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import Place, Problem, ReadError, listed, quoted, spoken
+from vstatics.core.errors import Place, Problem, ReadError, listed, of_file, quoted, spoken
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
@@ -172,6 +172,9 @@ def read_trace(data: bytes, file: str) -> Trace:
     array([0.6])
     """
     expected = "a driving cycle: time, speed"
+    if b",duration [s]," in data[:_HEAD_BYTES]:
+        message = f"these are time steps, for `summary --duty` and `plot`, expected {expected}"
+        raise ReadError([of_file("E122", file, message)])
     columns = _SUMO_COLUMNS if b"timestep_time" in data[:_HEAD_BYTES] else COLUMNS
     table = read_unit_table(data, file, expected, columns, "E122", skips=True)
     table = _with_sines(table)

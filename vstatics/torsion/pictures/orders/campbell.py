@@ -80,11 +80,11 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
     """Draw a page with the panel and the tables that fit, then pages with all other tables."""
     style, across = sheet.style, sheet.style.width
-    text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
-    tables = resonance_tables(
-        sheet.modes, sheet.orders, (sheet.running, sheet.fastest, sheet.slowest), room, style
-    )
-    remaining = TableParts([(table, table.rows) for table in tables])
+    room, subject = across - 2 * MARGIN, style.text("Campbell diagram")
+    if len(sheet.gears) == 1 < len(sheet.case.gears):
+        subject = f"{subject}, {gear_title(sheet.gears[0], style)}"
+    text = title(sheet.case, subject)
+    remaining = TableParts([(table, table.rows) for table in resonance_tables(sheet, room)])
     head = sheet_head(text, sheet.note, _signs(sheet), room, style)
     around = ABOVE_PANEL + SPEED_SCALE_HEIGHT
     high = max(PANEL_HEIGHT, height_of(sheet.order_ends))
@@ -108,7 +108,7 @@ def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
 def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> None:
     """Draw the panel and the strip of gears; `place` is lower edge and height [pt]."""
     (low, high), style = place, sheet.style
-    strip = GearStrip(sheet.gears, sheet.modes, sheet.top, style)
+    strip = GearStrip(sheet)
     is_lone = len(sheet.gears) == 1
     ends = thinned(sheet.order_ends, high * (ORDERS_PART if is_lone else 1.0))
     if is_lone:
@@ -190,8 +190,10 @@ def _draw_meeting(pen: Pen, meeting: Meeting, sheet: CampbellSheet) -> None:
     )
     rpm, share = style.text("rpm"), style.text("participation")
     hint = style.text("mode {number}", number=mode.number)
-    hint = f"{gear_title(mode.gear, style)}, {hint}, {meeting.order.name}: {speed:.0f} {rpm}"
-    hint = f"{hint}, {sheet.hertz(mode.frequency)}, {share} {mode.participation:.2g}"
+    hint = (
+        f"{gear_title(mode.gear, style)}, {hint}, {meeting.order.name}: {speed:.0f} {rpm}, "
+        f"{sheet.hertz(mode.frequency)}, {share} {mode.participation:.2g}"
+    )
     if mode.damping_ratio:
         hint = f"{hint}, {style.text('damping ratio')} {mode.damping_ratio:.3f}"
     at = pen.across(speed), pen.up(mode.frequency)

@@ -87,7 +87,8 @@ class CampbellSheet(NamedTuple):
         """Note on modes and gears that the panel does not show."""
         style, notes = self.style, []
         met = {meeting.mode.number for meeting in self.meetings}
-        excited = {mode.number for mode in self.modes if mode.is_excited}
+        moving = [mode for mode in self.modes if mode.is_excited]
+        excited = {mode.number for mode in moving}
         every = sorted({mode.number for mode in self.modes})
         for numbers, english in (
             (
@@ -100,11 +101,15 @@ class CampbellSheet(NamedTuple):
             ),
         ):
             if numbers:
-                lowest = [min(m.frequency for m in self.modes if m.number == n) for n in numbers]
-                shown = [f"{n} ({self.hertz(hz)})" for n, hz in zip(numbers, lowest, strict=True)]
+                lowest = {n: min(m.frequency for m in self.modes if m.number == n) for n in numbers}
+                shown = [f"{n} ({self.hertz(hz)})" for n, hz in lowest.items()]
                 if len(shown) > MOST_NAMED:
                     shown = [shown[0], "…", shown[-1]]
                 notes.append(f"{style.text(english)} {', '.join(shown)}")
+        moved = {mode.gear for mode in moving}
+        if excited and (at_rest := [gear for gear in self.gears if gear not in moved]):
+            still = style.text("the input is at rest in all modes of")
+            notes.append(f"{still} {gear_title(', '.join(at_rest), style)}")
         if len(self.gears) > 1:
             english = "gears whose frequencies differ by less than 0.5 % are drawn as one"
             notes.append(style.text(english))
@@ -139,4 +144,4 @@ def order_look(order: Order, style: Style) -> Look:
     """Return the line style of an order, with a colour for firing orders."""
     if order.fires:
         return {"color": style.engaged, "width": 1.6}
-    return {"color": style.soft, "width": 0.7}
+    return {"color": style.soft, "width": 0.7, "linestyle": (0, (4, 2))}

@@ -11,6 +11,7 @@ from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.labels import height, width, wrapped
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, MARGIN, SIZE, Style, number
+from vstatics.torsion.pictures.orders.campbell_sheet import CampbellSheet
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order
 from vstatics.torsion.pictures.orders.resonances import GearMode, by_number, is_between
 
@@ -40,8 +41,6 @@ class TableRow(NamedTuple):
     """Number of the mode."""
     cells: Sequence[TableCell]
     """Cells after the number of the mode."""
-    begins: bool
-    """True for the first row of a mode."""
 
     @property
     def all_cells(self) -> list[TableCell]:
@@ -91,8 +90,9 @@ class ResonanceTable(NamedTuple):
             colour = style.engaged if fires else style.soft
             pen.text(end, y, heading, ha="right", va="bottom", color=colour, bold=fires)
         y -= 2
+        drawn = ""
         for row in rows:
-            begins = row.begins or row is rows[0]
+            begins, drawn = row.mode != drawn, row.mode
             if begins:
                 rule: Look = {"color": style.faint, "width": LEADER_WIDTH}
                 pen.line((left, y), (ends[-1], y), **rule)
@@ -136,66 +136,47 @@ class TableParts(NamedTuple):
             y -= HEADING_HEIGHT + sum(row.high for row in rows) + MARGIN
 
 
-ResonanceSpeeds = tuple[Sequence[float], float] | tuple[Sequence[float], float, float]
-"""Speeds at which the input runs, highest speed, and optionally lowest speed. [rpm]"""
-
-
-def resonance_tables(
-    modes: Sequence[GearMode],
-    orders: Sequence[Order],
-    speeds: ResonanceSpeeds,
-    room: float,
-    style: Style,
-) -> list[ResonanceTable]:
+def resonance_tables(sheet: CampbellSheet, room: float) -> list[ResonanceTable]:
     """Return tables of resonances, each with as many orders as fit into the width `room` [pt].
 
-    Parameters
-    ----------
-    speeds : tuple
-        Speeds at which the input runs, ascending; resonances between them are bold. Then the
-        highest and the lowest speed of listed resonances. [rpm]
+    Resonances between the speeds at which the input runs are bold.
 
     Examples
     --------
-    >>> from vstatics.torsion.pictures.orders.resonances import GearMode
-    >>> modes = [GearMode("low", 0, 1, 20.0, 1.0, 0.0)]
+    >>> from vstatics.core.model.transmission import Transmission
+    >>> from vstatics.pictures.drawing.style import Style
+    >>> from vstatics.torsion.pictures.orders.orders_and_speeds import Order
+    >>> modes, case = [GearMode("low", 0, 1, 20.0, 1.0, 0.0)], Transmission(2, [], [], [])
     >>> orders = [Order(0.1, False), Order(2.0, True)]
-    >>> [table] = resonance_tables(modes, orders, ([], 6000.0), 400.0, Style())
+    >>> sheet = CampbellSheet(case, ["low"], [], "", modes, orders, [], 6000.0, 0.0, Style())
+    >>> [table] = resonance_tables(sheet, 400.0)
     >>> [cell.text for cell in table.rows[0].all_cells]
     ['1', '20.00', '1', '', '600']
-    >>> len(resonance_tables(modes, orders[1:] * 8, ([], 6000.0), 300.0, Style()))
+    >>> len(resonance_tables(sheet._replace(orders=orders[1:] * 8), 300.0))
     2
     """
-    table = _table(modes, orders, speeds, style)
+    table, orders = _table(sheet), sheet.orders
     if table is None or table.wide <= room or len(orders) == 1:
         return [table] if table else []
     half = math.ceil(len(orders) / 2)
     return [
         part
         for some in (orders[:half], orders[half:])
-        for part in resonance_tables(modes, some, speeds, room, style)
+        for part in resonance_tables(sheet._replace(orders=some), room)
     ]
 
 
-def _table(
-    modes: Sequence[GearMode],
-    orders: Sequence[Order],
-    speeds: ResonanceSpeeds,
-    style: Style,
-) -> ResonanceTable | None:
-    places = {mode.place: mode.gear for mode in modes}
-    every = [places[place] for place in sorted(places)]
+def _table(sheet: CampbellSheet) -> ResonanceTable | None:
+    modes, orders, style, every = sheet.modes, sheet.orders, sheet.style, sheet.gears
     is_damped = any(mode.damping_ratio for mode in modes)
     rows: list[TableRow] = []
     for mode_number, same in by_number(modes):
-        begins = True
-        for printed, alike in _printed_alike(same, orders, speeds, is_damped=is_damped).items():
+        for printed, alike in _printed_alike(same, sheet, is_damped=is_damped).items():
             if any(cell.text for cell in printed[-len(orders) :]):
-                names = [places[place] for place in sorted(alike)]
+                names = [every[place] for place in sorted(alike)]
                 named = [TableCell(wrapped(gear_run(names, every, style), GEARS_WIDTH))]
                 cells = [*named * (len(every) > 1), *printed]
-                rows.append(TableRow(str(mode_number), cells, begins))
-                begins = False
+                rows.append(TableRow(str(mode_number), cells))
     if not rows:
         return None
     headings = [
@@ -211,31 +192,21 @@ def _table(
 
 
 def _printed_alike(
-    modes: Iterable[GearMode],
-    orders: Sequence[Order],
-    speeds: ResonanceSpeeds,
-    *,
-    is_damped: bool,
+    modes: Iterable[GearMode], sheet: CampbellSheet, *, is_damped: bool
 ) -> dict[tuple[TableCell, ...], list[int]]:
     """Return the indices of the gears of a mode, grouped by their printed cells."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]
         first += [f"{mode.damping_ratio:.3f}"] * is_damped
-        resonances = [_speed(mode, order, *speeds) for order in orders]
+        resonances = [_speed(mode, order, sheet) for order in sheet.orders]
         places.setdefault((*map(TableCell, first), *resonances), []).append(mode.place)
     return places
 
 
-def _speed(
-    mode: GearMode,
-    order: Order,
-    running: Sequence[float],
-    fastest: float,
-    slowest: float = 0.0,
-) -> TableCell:
-    speed = order.speed(mode.frequency)
-    if not (mode.is_excited and is_between(speed, slowest, fastest)):
+def _speed(mode: GearMode, order: Order, sheet: CampbellSheet) -> TableCell:
+    speed, running = order.speed(mode.frequency), sheet.running
+    if not (mode.is_excited and is_between(speed, sheet.slowest, sheet.fastest)):
         return TableCell("")
     runs = len(running) > 1 and running[0] <= speed <= running[-1]
     return TableCell(f"{speed:.0f}", bold=runs)

@@ -23,7 +23,7 @@ from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import MARGIN, Style, number
 from vstatics.pictures.drawing.words import gear_title, title
 from vstatics.torsion.pictures.orders.orders_and_speeds import Order
-from vstatics.torsion.pictures.orders.resonances import GearMode
+from vstatics.torsion.pictures.orders.resonances import Meeting
 from vstatics.torsion.pictures.orders.response_lines import (
     ResponseLine,
     ResponsePanel,
@@ -31,7 +31,6 @@ from vstatics.torsion.pictures.orders.response_lines import (
     response_panels,
 )
 from vstatics.torsion.pictures.orders.running import draw_running, running_sign
-from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
 """Usual and smallest height of a panel among several. [pt]"""
@@ -46,7 +45,7 @@ BETWEEN_PANELS = 12.0
 MOST_DECADES = 7
 """Largest number of powers of ten in the scale of amplitudes."""
 SLOW = 0.04
-"""Speed below which amplitudes do not affect the scale, divided by the highest speed.
+"""Speed below which only resonances affect the scale, divided by the highest speed.
 
 Amplitudes grow without bound towards speed 0.
 """
@@ -94,12 +93,11 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
         If the link does not exist.
     """
     excited, panels = response_panels(results, style, gears)
-    lines = [line for panel in panels for line in panel.lines]
-    if not lines:
+    if not any(panel.lines for panel in panels):
         names = listed([panel.gear for panel in panels])
         raise CaseError("E741", f"no response in gear {names}: {panels[0].why}")
     running = [] if style.excited.at else excited.running
-    decades = _decades(lines, excited.fastest)
+    decades = _decades(panels, excited.fastest)
     sheet = _ResponseSheet(panels, excited.orders, running, *excited[2:], decades, style)
     columns = min(2, len(panels))
     high, on_page = _rows(results, sheet, math.ceil(len(panels) / columns))
@@ -133,15 +131,21 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
             words = "amplitude of {link} by each order of the torques"
     subject = style.text(words, link=link)
     signs: list[Meaning] = [
-        (True, _order_words(order, style), sheet.look(order)) for order in sheet.orders
+        (True, order.name + style.text(", fires") * order.fires, sheet.look(order))
+        for order in sheet.orders
     ]
     signs += running_sign(sheet.running, style)
     return sheet_head(title(results.case, subject), "", signs, style.width - 2 * MARGIN, style)
 
 
-def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
+def _decades(panels: Sequence[ResponsePanel], fastest: float) -> tuple[float, float]:
     """Return exponents of 10 that enclose the amplitudes, at most 7 apart."""
-    logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
+    lines = [line for panel in panels for line in panel.lines]
+    lowest = min((met.mode.frequency for panel in panels for met in panel.peaks), default=math.inf)
+    slow = SLOW * fastest
+    logs = [
+        _logs(line.amplitudes[line.speeds >= min(slow, line.order.speed(lowest))]) for line in lines
+    ]
     every = np.concatenate(logs)
     every = every[np.isfinite(every)]
     high = math.ceil(float(every.max(initial=-30.0)))
@@ -192,10 +196,6 @@ def _figure(
     return pen.canvas
 
 
-def _order_words(order: Order, style: Style) -> str:
-    return f"{order.name}{style.text(', fires')}" if order.fires else order.name
-
-
 def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     (wide, high), style = pen.size, sheet.style
     head = gear_title(panel.gear, style)
@@ -217,8 +217,8 @@ def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_low
             **sheet.look(order),
         )
     by_order = {line.order: line for line in panel.lines}
-    for order, mode in panel.peaks:
-        _draw_peak(pen, by_order[order], mode, sheet)
+    for met in panel.peaks:
+        _draw_peak(pen, by_order[met.order], met, sheet)
 
 
 def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
@@ -238,17 +238,16 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
         pen.name("bottom", name, 12.0 + 1.5 * height(""))
 
 
-def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
+def _draw_peak(pen: Pen, line: ResponseLine, met: Meeting, sheet: _ResponseSheet) -> None:
     """Draw a dot on the line at a resonance, if its amplitude is within the scale."""
-    speed = line.order.speed(mode.frequency)
-    at = int(np.argmin(np.abs(line.speeds - speed)))
+    at = int(np.argmin(np.abs(line.speeds - met.speed)))
     value = _logs(line.amplitudes[at : at + 1])[0]
     low, high = sheet.decades
-    if mode.participation <= LEAST_PARTICIPATION or not low <= value <= high:
+    if not low <= value <= high:
         return
     style = sheet.style
-    hint = style.text("mode {number}", number=mode.number)
+    hint = style.text("mode {number}", number=met.mode.number)
     rpm, rad = style.text("rpm"), style.text("rad")
-    hint = f"{line.order.name}, {hint}: {speed:.0f} {rpm}, {number(10.0**value)} {rad}"
+    hint = f"{line.order.name}, {hint}: {met.speed:.0f} {rpm}, {number(10.0**value)} {rad}"
     dot = {"marker": "o", "markersize": 2.2, "zorder": 3, "color": sheet.look(line.order)["color"]}
     pen.line((pen.across(float(line.speeds[at])), pen.up(float(value))), title=hint, **dot)

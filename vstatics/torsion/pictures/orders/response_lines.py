@@ -12,7 +12,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ExcitedSpeeds, Order, excited_speeds
-from vstatics.torsion.pictures.orders.resonances import GearMode, gear_modes, meetings
+from vstatics.torsion.pictures.orders.resonances import GearMode, Meeting, gear_modes, meetings
 from vstatics.torsion.pictures.shown_modes import gear_names, modes_of
 from vstatics.torsion.system.state import asked_gears
 
@@ -42,8 +42,8 @@ class ResponsePanel(NamedTuple):
     link: str
     """Link on which the torque acts."""
     lines: Sequence[ResponseLine]
-    peaks: Sequence[tuple[Order, GearMode]]
-    """Resonances to mark: order and mode."""
+    peaks: Sequence[Meeting]
+    """Resonances to mark."""
     why: str = ""
     """Reason why the gear has no response."""
 
@@ -114,5 +114,4 @@ def _panel(
             return ResponsePanel(gear, link, [], [], forced.error)
         amplitudes = np.abs(forced.orders[0].amplitudes[link])
         lines.append(ResponseLine(order, forced.speeds, amplitudes))
-    peaks = [(meeting.order, meeting.mode) for meeting in met]
-    return ResponsePanel(gear, link, lines, peaks)
+    return ResponsePanel(gear, link, lines, met)

@@ -16,14 +16,12 @@ def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
     >>> [sign[1] for sign in running_sign([800.0, 6500.0], Style())]
     ['the input runs, 800 to 6500 rpm']
     """
-    if len(speeds) == 1:
-        at = f"{speeds[0]:.0f}"
-        text = style.text("the input runs at {at} rpm", at=at)
-        yield (True, text, _line_look(style))
-    elif speeds:
+    if speeds:
         low, high = (f"{speeds[place]:.0f}" for place in (0, -1))
         text = style.text("the input runs, {low} to {high} rpm", low=low, high=high)
-        yield (True, text, _band_look(style))
+        if len(speeds) == 1:
+            text = style.text("the input runs at {at} rpm", at=low)
+        yield (True, text, _look(speeds, style))
 
 
 def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
@@ -33,15 +31,15 @@ def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
     wide, high = pen.size
     left, right = (pen.across(speeds[place]) for place in (0, -1))
     left, right, group = max(left, 0.0), min(right, wide), pen.within("range")
+    look = {"zorder": 0.3, **_look(speeds, style)}
     if len(speeds) == 1:
-        group.line((left, 0.0), (left, high), zorder=0.3, **_line_look(style))
+        group.line((left, 0.0), (left, high), **look)
     else:
-        group.box((left, 0.0), (right - left, high), zorder=0.3, **_band_look(style))
+        group.box((left, 0.0), (right - left, high), **look)
 
 
-def _band_look(style: Style) -> Look:
+def _look(speeds: Sequence[float], style: Style) -> Look:
+    """Return the style of a line at a single speed, or of a band."""
+    if len(speeds) == 1:
+        return {"color": style.power, "width": 2.4}
     return {"facecolor": style.power, "alpha": 0.25}
-
-
-def _line_look(style: Style) -> Look:
-    return {"color": style.power, "width": 2.4}
