@@ -96,7 +96,8 @@ def test_semicolons_and_decimal_commas_say_the_same(name: str, tmp_path: Path) -
     with_points = read(text.encode(), tmp_path)
     for separator in ";\t":
         assert read(german(text, separator), tmp_path) == with_points
-        assert read(codecs.BOM_UTF8 + german(text, separator), tmp_path) == with_points
+        # two marks: github.com/plaintextaccounting/hledger/issues/2189
+        assert read(2 * codecs.BOM_UTF8 + german(text, separator), tmp_path) == with_points
     cells = csv.reader(text.splitlines())
     assert read("\n".join(map("\t".join, cells)).encode(), tmp_path) == with_points
     for end in (",", ",,"):  # empty columns, and the first line of Excel

@@ -130,7 +130,7 @@ def test_a_loss_that_takes_all_power_near_rest_is_a_doubt(
     assert math.isnan(performance(case).time_to_100) == warns
 
 
-@pytest.mark.parametrize("key", ["frontal_area", "Cd", "wheel_diameter", "traction"])
+@pytest.mark.parametrize("key", ["Cd", "wheel_diameter", "traction"])
 def test_a_drag_coefficient_and_a_diameter_get_advice(key: str) -> None:
     """The answer "did you mean `drag_area`?" would omit a factor.
 

@@ -115,8 +115,6 @@ class Layout:
             lines.insert(rng.randint(1, len(lines)), rng.choice(["# a hill", "% a hill", "", "  "]))
         lines = [*rng.sample(titles, rng.randint(0, 4)), *[""] * rng.randint(0, 2), *lines, ""]
         text = rng.choice(["\n", "\r\n", "\r"]).join(lines)
-        # https://github.com/plaintextaccounting/hledger/issues/2189: a second byte order mark
-        text = rng.choice(["", "\ufeff"]) + text
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 

@@ -45,7 +45,6 @@ NO_YAML = {
     ("a: 1\nC #1: [b]\n", 2, 1): "such as `low: [C1, B1]`; ` #` begins a comment, so write a text",
     ("a: {b: 1; c: 2}", 1, 12): "the mapping that begins on line 1, column 4 is not closed",
     ("- 1\nb: 2", 2, 1): "the list that begins on line 1, column 1 continues with `- `",
-    ("a: 1\nb [c]\n", 2, 1): "expected a key with a colon and a blank",
     ("a: @b", 1, 4): "read `@`, with which no text begins",
     ("a: \x00", 1, 4): "U+0000",
     ("a: \x85b\x7f", 1, 6): "U+007F",
