@@ -150,14 +150,19 @@ def test_at_the_torques_of_statics_speeds_stay(gear: str, x: float) -> None:
 
 @pytest.mark.parametrize(
     ("given", "x", "ids"),
-    [("", 0.7, ["N615"]), ("", 0.4, []), ("speed_ratios: {hydro: 0.4}", 0.7, [])],
+    [
+        ("shifts: [{at: 0.5, to: b}]", 0.7, ["N615"]),
+        ("shifts: [{at: 0.5, to: b}]", 0.4, []),
+        ("shifts: [{at: 0.5, to: b}]\nspeed_ratios: {hydro: 0.4}", 0.7, []),
+        ('sequences:\n  q: [{when: "t > 0.5", shift: {to: b}}]', 0.7, ["N615"]),
+    ],
 )
 def test_a_variator_that_keeps_its_ratio_in_a_shift_is_noted(
     given: str, x: float, ids: list[str]
 ) -> None:
     """Gear a has the speed ratio 0.4."""
-    shift = "duration: 1\nstart: {gear: a, speed: 100}\nshifts: [{at: 0.5, to: b}]\n"
-    scenario = written(f"{shift}{given}\n", STATIC.format(x=x))
+    start = "duration: 1\nstart: {gear: a, speed: 100}\n"
+    scenario = written(f"{start}{given}\n", STATIC.format(x=x))
     assert [doubt.id for doubt in scenario_doubts(scenario)] == ids
 
 

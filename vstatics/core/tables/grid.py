@@ -12,13 +12,15 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from vstatics.core.numerics.tolerances import ROUNDED_PART
-from vstatics.core.tables.numbers import certain, rounded
+from vstatics.core.tables.numbers import certain, places, rounded
 from vstatics.core.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"
 """Text for a number that does not exist, and for an empty list."""
 LARGE_CELL = 1e7
 """Magnitude from which numbers are written with a power of ten."""
+MOST_DECIMALS = 9
+"""Largest number of decimals; smaller numbers are written with a power of ten."""
 YES, NO = "●", "·"
 
 
@@ -247,7 +249,7 @@ def exact(
     value : float or None
         Number; None if it does not exist.
     decimals : int
-        Usual number of decimals. Small numbers have more; see `rounded`.
+        Usual number of decimals. Small numbers have more, up to 9; see `rounded`.
     digits : int, optional
         Number of decimals, for numbers of any size.
     largest : float
@@ -257,8 +259,8 @@ def exact(
     --------
     >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text, exact(-0.01038).text
     (('0.988', 0.98765), '-1.5e+09', '-', '-0.01038')
-    >>> exact(2e-8, largest=1000)[:2]
-    ('0.000', 2e-08)
+    >>> exact(2e-8, largest=1000)[:2], exact(-8.529e-10).text, exact(1e-6).text
+    (('0.000', 2e-08), '-8.529e-10', '0.000001000')
     """
     known = math.nan if value is None else value
     if not math.isfinite(known):
@@ -266,7 +268,10 @@ def exact(
     if abs(certain(known)) >= LARGE_CELL:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
-        text = rounded(0.0 if abs(known) < ROUNDED_PART * largest else known, decimals, digits)
+        shown = 0.0 if abs(known) < ROUNDED_PART * largest else known
+        text = rounded(shown, decimals, digits)
+        if digits is None and places(shown, decimals) > MOST_DECIMALS:
+            text = f"{shown:.3e}"
     return Cell(text, known, kind=float)
 
 

@@ -25,7 +25,7 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
     rows = [
         (name, torques(peak.torque), exact(peak.time, digits=6), motion.dynamic_factors.get(name))
         for name, peak in motion.peaks.items()
-        if peak.torque
+        if _is_printed(torques(peak.torque))
     ]
     if rows:
         yield grid_of(
@@ -61,6 +61,11 @@ def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
         return exact(value)
 
     return shown
+
+
+def _is_printed(cell: Cell) -> bool:
+    """Return False for a number that is 0, or rounding noise that is printed as 0."""
+    return bool(cell.text.strip("0."))
 
 
 def _energies(motion: Motion) -> Callable[[float | None], Cell]:
@@ -104,7 +109,7 @@ def _energy(motion: Motion) -> Grid:
     for name, parts in (("heat", energy.heat), ("losses", energy.losses)):
         add(name, sum(parts.values()))
         for part, value in parts.items():
-            if value:
+            if _is_printed(shown(value)):
                 add(part, value, 2)
     for name in ("kinetic", "elastic", "impact"):
         add(name, getattr(energy, name))

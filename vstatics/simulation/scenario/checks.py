@@ -38,6 +38,7 @@ from vstatics.simulation.scenario.parts import (
     Capacity,
     Control,
     Scenario,
+    Shift,
     Start,
     placed_laws,
     placed_steps,
@@ -141,14 +142,20 @@ def _kept_ratios(scenario: Scenario) -> Iterator[Problem]:
     """Yield a note on each variator that does not take the speed ratio of a later gear."""
     case, start = scenario.case, scenario.start.gear
     ratios = {gear.name: case.gear_ratios(gear) for gear in case.gears}
-    for number, shift in enumerate(scenario.shifts or (), 1):
+    shifts: list[tuple[Path, Shift]] = [
+        (("shifts", number), shift) for number, shift in enumerate(scenario.shifts or (), 1)
+    ]
+    shifts += [
+        ((*path, "shift"), step.shift) for path, step in placed_steps(scenario) if step.shift
+    ]
+    for path, shift in shifts:
         pairs = zip(ratios.get(start or "", ()), ratios.get(shift.to, ()), strict=False)
         for index, (kept, other) in enumerate(pairs):
             part = case.mechanisms[index]
             if part.kind == "variator" and kept != other and index + 1 not in scenario.speed_ratios:
                 text = f"{part.name} keeps the speed ratio {kept:g} of the start gear"
                 message = f"{text}, not {other:g} of gear {shift.to}; give `speed_ratios` over time"
-                yield Problem("N615", message, ("shifts", number, "to"))
+                yield Problem("N615", message, (*path, "to"))
 
 
 def _elastic_losses(case: Transmission) -> Iterator[Problem]:

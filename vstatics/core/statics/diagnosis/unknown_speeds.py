@@ -95,6 +95,16 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
     """Yield an error for each gear that is neutral, but not marked `kind: neutral`.
 
     `run` only warns of such gears (W414), whereas `check` fails.
+
+    Examples
+    --------
+    >>> from vstatics import Mechanism, solve
+    >>> from vstatics.core.model.converters import Converter
+    >>> fluid = Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0)))
+    >>> case = Transmission(3, [], [Mechanism(2, 3, 0, 2.0)], [Gear()], converters=[fluid])
+    >>> [problem] = undriven_gears(solve(case))
+    >>> problem.message
+    'cannot drive: ...; `converters` act only in vibration and scenarios: write TC under `mecha...'
     """
     case = results.case
     for number, gear in enumerate(case.gears):
@@ -104,6 +114,10 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
             over = missed_freewheels(results, number, gear)
             _, exchange = overrunning(case, results.gear_at(number), over)
             cure = exchange or ": expected another engaged shift element, or `kind: neutral`"
+            if case.converters:
+                names = spoken([converter.name for converter in case.converters])
+                cure += "; `converters` act only in vibration and scenarios: "
+                cure += f"write {names} under `mechanisms`"
             if loose := _loose_ends(case, gear):
                 cure = f": {loose}"
             yield Problem("E453", f"cannot drive{cure}", ("gears", number + 1))
