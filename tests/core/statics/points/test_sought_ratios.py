@@ -40,6 +40,14 @@ def test_a_load_beyond_the_points_leaves_the_gear_without_torques() -> None:
     assert (at_stall.speed_ratio[0, 0], at_stall.lossy_output_torque[0]) == (0, -6)
 
 
+def test_a_turbine_that_drives_only_its_drag_has_a_closed_form() -> None:
+    """K = 2 - i and lambda w^2 = 80 (1 - i): 60 N*m at i = 0.5, with 40 N*m on the pump."""
+    text = CASE.replace("{first: turbine", "{first: engine") + "drag: {turbine: 60 N*m}\n"
+    results = solve(loads(text))
+    assert results.speed_ratio[[0, 2], 0] == pytest.approx(0.5, abs=1e-13)
+    assert results.lossy_output_torque_Nm == pytest.approx([-180, -120, -150])
+
+
 def test_json_and_sheet_have_the_ratio_of_each_gear_that_is_sought(folder: Path) -> None:
     """20 N*m are taken at 1 - 20/80; an open or bypassed converter has none."""
     text = CASE.replace("100 N", "20 N").replace('"3": {', '"3": {open: [TC], ')

@@ -203,7 +203,8 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     """Return whether the input drives a pump that only the converter connects with its turbine.
 
-    It is also required that no speed is prescribed.
+    It is also required that no speed is prescribed, and that the turbine drives the output: the
+    torque of a turbine that drives only its drag does not depend on the torque of the input.
     """
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
@@ -220,7 +221,8 @@ def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     slipping = case.elements_at(gear.slipping)
     slips = {bodies[link] for element in slipping for link in element.links if link != HOUSING}
     is_given = gear.speeds or gear.balance is not None or turbine in slips
-    return pump == bodies[case.gear_input(gear)] != turbine and not is_given
+    ends = bodies[case.gear_input(gear)], bodies[case.gear_output(gear)]
+    return pump == ends[0] and pump not in (turbine, ends[1]) and not is_given
 
 
 def _trial(ratio: SoughtRatio, part: float) -> float:
