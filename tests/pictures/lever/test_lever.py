@@ -222,11 +222,9 @@ def routes_of(name: str) -> Iterator[list[LeverRoute]]:
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_what_rises_between_levers_has_a_place_of_its_own(name: str) -> None:
     for found in routes_of(name):
-        pieces = [pairwise(piece) for route in found for piece in route.pieces]
-        lines = [line for piece in pieces for line in piece]
-        upright = [
-            (n, round(x, 6)) for (n, (x, y)), (_, end) in lines if x == end[0] and y != end[1]
-        ]
+        pieces = [piece for route in found for piece in route.pieces]
+        lines = [(n, line) for n, points in pieces for line in pairwise(points)]
+        upright = [(n, round(x, 6)) for n, ((x, y), end) in lines if x == end[0] and y != end[1]]
         assert len(set(upright)) == len(upright)
 
 
@@ -235,10 +233,10 @@ def test_levers_are_turned_over_where_no_line_crosses_then(name: str) -> None:
     """Counted from the places of all lines; as the levers of these boxes come, they cross."""
     for found in routes_of(name):
         lines = [
-            (route.tie, band, (start, end))
+            (route.tie, band, line)
             for route in found
-            for piece in route.pieces
-            for (band, start), (_, end) in pairwise(piece)
+            for band, points in route.pieces
+            for line in pairwise(points)
         ]
         for (tie, band, one), (other_tie, other_band, other) in combinations(lines, 2):
             assert tie == other_tie or band != other_band or not meet(one, other)
@@ -280,9 +278,8 @@ def test_levers_of_a_gear_go_on_in_the_next_row() -> None:
     cut = [route for route in third if len(route.pieces) > 1]
     assert len(cut) == 3  # ring 2, carrier 1, and C from the input to ring 3
     for route in cut:
-        for piece, following in pairwise(route.pieces):
-            (band, (_, end)), (after, (_, start)) = piece[-1], following[0]
-            assert (after, start) == (band + 1, end)
+        for (band, points), (after, following) in pairwise(route.pieces):
+            assert (after, following[0][1]) == (band + 1, points[-1][1])
 
 
 @pytest.mark.slow
@@ -360,6 +357,6 @@ def test_no_line_runs_through_the_sign_of_a_clutch() -> None:
             assert one.sign is not None
             band, (x, y) = one.sign
             others = [route for route in found if route is not one]
-            for piece in (piece for route in others for piece in route.pieces):
-                for (at, (start, low)), (_, (end, high)) in pairwise(piece):
+            for at, points in (piece for route in others for piece in route.pieces):
+                for (start, low), (end, high) in pairwise(points):
                     assert at != band or low != high or abs(low - y) > 1 or not start < x < end

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
@@ -245,48 +246,40 @@ def _joins(line: ET.Element, other: ET.Element) -> bool:
     return True
 
 
-def _line_data(stroke: CanvasLine, place: CanvasPlace, size: tuple[float, float]) -> str:
-    part, left, top = place.part, place.left, size[1] - place.low
+def _line_data(stroke: CanvasLine, place: CanvasPlace, size: Point) -> str:
     if len(stroke.xs) >= LONG_LINE:
         from matplotlib.path import Path
 
-        xs, ys = left + part * np.asarray(stroke.xs), top - part * np.asarray(stroke.ys)
+        xs = place.left + place.part * np.asarray(stroke.xs)
+        ys = place.low + place.part * np.asarray(stroke.ys)
         path: Any = Path(np.column_stack([xs, ys])).cleaned(
             remove_nans=True, clip=(0.0, 0.0, *size), simplify=True
         )
-        pairs = zip(path.vertices.tolist(), path.codes.tolist(), strict=True)
-        return "".join(
-            f"{'M' if code == Path.MOVETO else 'L'}{_number(x)} {_number(y)}"
-            for (x, y), code in pairs
-            if code != Path.STOP
-        )
-    data = []
-    letter = "M"
-    for x, y in zip(stroke.xs, stroke.ys, strict=True):
-        if math.isnan(x + y):
-            letter = "M"
-        else:
-            data.append(f"{letter}{_number(left + part * x)} {_number(top - part * y)}")
-            letter = "L"
-    return "".join(data)
+        return _outline_data(_outline_of(path), CanvasPlace(), size[1])
+    places = [*zip(stroke.xs, stroke.ys, strict=True)]
+    is_gap = [True, *(math.isnan(x + y) for x, y in places)]
+    steps = ["-" if after else "M" if before else "L" for before, after in pairwise(is_gap)]
+    return _outline_data(Outline(places, "".join(steps)), place, size[1])
+
+
+def _outline_of(path: Any) -> Outline:
+    """Return the outline of a path of matplotlib."""
+    from matplotlib.path import Path
+
+    letters = {Path.MOVETO: "M", Path.LINETO: "L", Path.CURVE4: "C", Path.CLOSEPOLY: "z"}
+    steps = [letters.get(code, "-") for code in path.codes.tolist()]
+    return Outline(path.vertices, "".join(steps))
 
 
 def _outline_data(outline: Outline, place: CanvasPlace, high: float) -> str:
+    """Return the path of an outline in SVG; points with the step ``-`` are left out."""
     part, left, top = place.part, place.left, high - place.low
-    data = []
-    remaining = 0
-    for (x, y), step in zip(outline.points, outline.steps, strict=True):
-        if step == "z":
-            data.append("z")
-            continue
-        if remaining:
-            data.append(" ")
-            remaining -= 1
-        else:
-            data.append(step)
-            remaining = {"C": 2, "Q": 1}.get(step, 0)
-        data.append(f"{_number(left + part * x)} {_number(top - part * y)}")
-    return "".join(data)
+    letters = outline.steps.replace("CCC", "C  ").replace("QQ", "Q ")
+    return "".join(
+        "z" if letter == "z" else f"{letter}{_number(left + part * x)} {_number(top - part * y)}"
+        for (x, y), letter in zip(outline.points, letters, strict=True)
+        if letter != "-"
+    )
 
 
 def _stroke_look(colour: str, width: float, dashes: Any, cap: str) -> dict[str, str]:
@@ -369,12 +362,8 @@ def _clip(name: str, key: tuple[str, ...]) -> ET.Element:
 
 def _hatch_pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
     from matplotlib.hatch import get_path
-    from matplotlib.path import Path
 
-    letters = {Path.MOVETO: "M", Path.LINETO: "L", Path.CURVE4: "C", Path.CLOSEPOLY: "z"}
-    path: Any = get_path(hatch, 1)
-    steps = "".join(letters[code] for code in path.codes.tolist())
-    data = _outline_data(Outline(path.vertices, steps), CanvasPlace(HATCH_TILE), HATCH_TILE)
+    data = _outline_data(_outline_of(get_path(hatch, 1)), CanvasPlace(HATCH_TILE), HATCH_TILE)
     tile = f"{HATCH_TILE:g}"
     pattern = ET.Element(
         "pattern",

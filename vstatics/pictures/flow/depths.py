@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import accumulate
+from itertools import accumulate, chain, pairwise
 from typing import NamedTuple
 
 from vstatics.pictures.drawing.labels import Span, spread
@@ -45,23 +45,18 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
     stacks = _stacked(graph, scale, cells, columns, back)
     shifts = neighbours(graph, cells, stacks.starts, stacks.ends)
     places = {key: 60.0 * row for column in columns for row, key in enumerate(column)}
-    heights = [
-        (
-            {key: cell.lower for key, cell in column.items()},
-            [cell.above + cell.thick + cell.below + SPACE for cell in column.values()],
-        )
-        for column in columns
-    ]
     for sweep in range(RUN_SWEEPS):
         sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
-        for lowered, sizes in heights if sweep % 2 == 0 else reversed(heights):
+        for column in columns if sweep % 2 == 0 else reversed(columns):
             wanted = [
-                mean([pair for side in sides for pair in side.get(key, ())], places, key) + lower
-                for key, lower in lowered.items()
+                mean([pair for side in sides for pair in side.get(key, ())], places, key)
+                + cell.lower
+                for key, cell in column.items()
             ]
+            sizes = [cell.above + cell.thick + cell.below + SPACE for cell in column.values()]
             spread_places = spread(_rising(wanted), sizes)
-            for (key, lower), place in zip(lowered.items(), spread_places, strict=True):
-                places[key] = place - lower
+            for (key, cell), place in zip(column.items(), spread_places, strict=True):
+                places[key] = place - cell.lower
     _straighten(columns, places, shifts)
     highest = min(places[key] - _over(cell) for key, cell in by_key.items())
     middles = {key: middle - highest for key, middle in places.items()}
@@ -147,36 +142,29 @@ def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]
         for side in shifts
     )
     following = {
-        key: next(iter(ends))
+        key: end
         for key, ends in after.items()
-        if len(ends) == 1 and len(before[next(iter(ends))]) == 1
+        for end in ends
+        if len(ends) == len(before[end]) == 1
     }
-    for key in (
-        other_key
-        for column in columns
-        for other_key in column
-        if other_key not in following.values()
-    ):
-        series = [key]
-        while series[-1] in following:
-            series.append(following[series[-1]])
-        yield series
+    for key in chain.from_iterable(columns):
+        if key not in following.values():
+            series = [key]
+            while series[-1] in following:
+                series.append(following[series[-1]])
+            yield series
 
 
 def _room(column: Mapping[Key, FlowCell], key: Key, places: Mapping[Key, float]) -> Span:
     """Return the depths that are free for a cell between the neighbours in the column."""
-    order = list(column)
-    rank, cell = order.index(key), column[key]
-    above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]
-    low = [
-        places[other_key] + _under(column[other_key]) + SPACE / 2 + _over(cell)
-        for other_key in above
-    ]
-    high = [
-        places[other_key] - _over(column[other_key]) - SPACE / 2 - _under(cell)
-        for other_key in below
-    ]
-    return max(low, default=-math.inf), min(high, default=math.inf)
+    low, high = -math.inf, math.inf
+    for above, below in pairwise(column):
+        gap = _under(column[above]) + SPACE / 2 + _over(column[below])
+        if below == key:
+            low = places[above] + gap
+        elif above == key:
+            high = places[below] - gap
+    return low, high
 
 
 def _over(cell: FlowCell) -> float:

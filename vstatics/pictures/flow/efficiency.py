@@ -16,7 +16,7 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.core.tables.values import tables
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.ends import along
-from vstatics.pictures.drawing.head import Meaning, NameInKey, headed, sheet_head
+from vstatics.pictures.drawing.head import Meaning, NameInKey, sheet_head
 from vstatics.pictures.drawing.labels import LEADER, Label, across_size, height, ticks, width
 from vstatics.pictures.drawing.line_styles import loss_look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
@@ -57,11 +57,9 @@ class _Losses(NamedTuple):
     @property
     def key(self) -> list[Meaning]:
         """Entries of the key for the losses that occur."""
-        seen = [np.abs(row).max(initial=0.0) > NO_LOSS_SHARE for row in self.shares]
         return [
             (True, NameInKey(name), loss_look(row, self.style))
             for row, name in enumerate(self.names)
-            if seen[row]
         ]
 
     def part(self, places: Sequence[int]) -> _Losses:
@@ -143,15 +141,15 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
     note = "" if losses.names or losses.missing else lossless
     wide = EFFICIENCY_SCALE_WIDTH + MARGIN + max(most * step, LEAST_OF_HEAD)
     wide = min(wide, style.width)
-    head = sheet_head(name, note, losses.key, wide - 2 * MARGIN, style).high
+    head = sheet_head(name, note, losses.key, wide - 2 * MARGIN, style)
     on_page = (
-        max(int((style.height - head - MARGIN) / high), 1)
+        max(int((style.height - head.high - MARGIN) / high), 1)
         if math.isfinite(style.height)
         else panels
     )
     for at in range(0, panels, on_page):
         page = parts[at : at + on_page]
-        pen = headed(name, note, losses.key, (wide, len(page) * high), style)
+        pen = head.over((wide, len(page) * high), MARGIN, style)
         for row, part in enumerate(reversed(page)):
             indices = pen.panel(
                 (EFFICIENCY_SCALE_WIDTH, row * high + below),

@@ -91,22 +91,14 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
     """Return the rows of a gear; names are wrapped to smaller widths to avoid a further row."""
     room, side = style.width - 2 * WIDE_MARGIN, flow.shown
     assert side is not None  # noqa: S101 - gears without power were sorted out
-    ways = [
-        partial(layout, scale=scale, texts=FlowTexts(flow, side, style, short))
-        for short in NAME_WIDTHS
-    ]
-    for way in ways:
-        whole = way(drawn)
-        if whole.width <= room:
-            return [whole]
-    cut = (rows(drawn, room, way) for way in ways)
-    return min(
-        cut,
-        key=lambda rows_of_way: (
-            max(row_layout.width for row_layout in rows_of_way) > room,
-            len(rows_of_way),
-        ),
-    )
+    tried: dict[tuple[bool, int], list[FlowLayout]] = {}
+    for short in NAME_WIDTHS:
+        texts = FlowTexts(flow, side, style, short)
+        cut = rows(drawn, room, partial(layout, scale=scale, texts=texts))
+        tried.setdefault((max(row.width for row in cut) > room, len(cut)), cut)
+        if (False, 1) in tried:
+            break
+    return tried[min(tried)]
 
 
 def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Canvas]:

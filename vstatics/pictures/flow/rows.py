@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.core.flow.circulation import Node
 from vstatics.pictures.drawing.labels import Span
+from vstatics.pictures.drawing.pages import divided
 from vstatics.pictures.flow.columns import PORT_ARROW, SPACE
 from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
@@ -23,14 +23,6 @@ TRIES_OF_ROWS = 6
 """Largest number of reductions of the target width."""
 
 
-class RowsCost(NamedTuple):
-    """Division of the first layers (columns) of a graph into rows, with the cost."""
-
-    cost: float
-    ends: tuple[int, ...]
-    """Last layer of each row."""
-
-
 def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> list[FlowLayout]:
     """Return the layout of each row of a graph, none wider than `room` [pt] if possible.
 
@@ -40,7 +32,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
     layouts, wanted = [whole], room
     cuts = _cuts(drawn)
     for _ in range(TRIES_OF_ROWS if whole.width > room and cuts else 0):
-        ends = _best(_columns(whole), cuts, wanted)
+        ends = _ends(_columns(whole), cuts, wanted)
         layouts = [lay_out(part) for part in parts(drawn, ends)]
         if max(row_layout.width for row_layout in layouts) <= room:
             break
@@ -101,19 +93,17 @@ def _columns(whole: FlowLayout) -> list[Span]:
     return sides
 
 
-def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tuple[int, ...]:
+def _ends(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> list[int]:
     """Return the last layer of each row, for few rows, few cut bands and similar widths."""
-    last = len(columns) - 1
-    best = {-1: RowsCost(0.0, ())}
-    for end in (*sorted(cuts), last):
-        for start, before in list(best.items()):
-            wide = columns[end][1] - columns[start + 1][0] + 2 * (PORT_ARROW + SPACE) * (start >= 0)
-            over = max(wide / room - 1, 0.0)  # a row of a single indivisible part can be wider
-            cost = before.cost + 1 + 1000 * over + COST_OF_RAGGED * (wide / room) ** 2
-            cost += COST_OF_CROSSING * (cuts[end] - 1) if end != last else 0.0
-            if start < end and (end not in best or cost < best[end].cost):
-                best[end] = RowsCost(cost, (*before.ends, end))
-    return best[last].ends
+
+    def cost(start: int, end: int) -> float:
+        wide = columns[end - 1][1] - columns[start][0] + 2 * (PORT_ARROW + SPACE) * (start > 0)
+        over = max(wide / room - 1, 0.0)  # a row of a single indivisible part can be wider
+        crossing = COST_OF_CROSSING * (cuts.get(end - 1, 1) - 1)
+        return 1 + 1000 * over + COST_OF_RAGGED * (wide / room) ** 2 + crossing
+
+    ends = [*(last + 1 for last in cuts), len(columns)]
+    return [row.stop - 1 for row in divided(ends, cost)]
 
 
 def _part(drawn: Graph, nodes: set[Node], stubs: Sequence[tuple[Node, EndPort]]) -> Graph:

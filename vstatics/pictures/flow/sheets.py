@@ -125,15 +125,15 @@ def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
     return max(block.gap for block in (*shelf, *following))
 
 
-def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
-    """Yield each shelf together with the shelves of further rows of the gear."""
+def _together(shelves: Iterable[list[FlowBlock]]) -> list[list[list[FlowBlock]]]:
+    """Return each shelf together with the shelves of further rows of the gear."""
     groups: list[list[list[FlowBlock]]] = []
     for shelf in shelves:
-        if groups and shelf[0].is_rest:
+        if shelf[0].is_rest:
             groups[-1].append(shelf)
         else:
             groups.append([shelf])
-    yield from groups
+    return groups
 
 
 def _all_high(page: Sequence[Sequence[FlowBlock]]) -> float:
@@ -153,10 +153,9 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
             least = LEAST_BLOCK_WIDTH if len(gear.rows) < 2 else room
             wide = max(least, gear.wide)
             text = heading(gear.flow, wide, style)
-            head = _head_block(name, text, wide)
-            first, *others = row_blocks(gear, wide) or [head._replace(high=0.0, draw=nothing)]
-            yield _under_heading(head, first, gear)
-            yield from (row._replace(is_rest=True) for row in others)
+            rows = row_blocks(gear, wide)
+            yield _under_heading(name, text, wide, gear, rows[:1])
+            yield from (row._replace(is_rest=True) for row in rows[1:])
 
 
 def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
@@ -181,22 +180,20 @@ def nothing(_pen: Pen, _left: float, _top: float) -> None:
     """Draw nothing, as the block of a gear without a picture."""
 
 
-def _head_block(name: str, text: str, wide: float) -> FlowBlock:
+def _under_heading(
+    name: str, text: str, wide: float, gear: FlowGear, rows: Sequence[FlowBlock]
+) -> FlowBlock:
+    """Return the block of a gear: name, remarks, and the first row, if any."""
+    below = height(name) + height(text) + BELOW_TEXT * len(rows)
+
     def draw(pen: Pen, left: float, top: float) -> None:
         pen.text(left, top, name, va="top", bold=True)
         pen.text(left, top - height(name), text, va="top", color=pen.style.soft)
+        for row in rows:
+            row.draw(pen, left, top - below)
 
-    return FlowBlock([], wide, height(name) + height(text), FLOW_GEAR_GAP, draw)
-
-
-def _under_heading(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
-    below = head.high + BELOW_TEXT * bool(row.high)
-
-    def draw(pen: Pen, left: float, top: float) -> None:
-        head.draw(pen, left, top)
-        row.draw(pen, left, top - below)
-
-    return FlowBlock([gear], head.wide, below + row.high, FLOW_GEAR_GAP, draw)
+    high = below + sum(row.high for row in rows)
+    return FlowBlock([gear], wide, high, FLOW_GEAR_GAP, draw)
 
 
 def _line_block(line: ChainLine, name: str, start: float, room: float) -> FlowBlock:

@@ -85,17 +85,10 @@ class FlowView(NamedTuple):
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
         notch = min(half, PORT_ARROW - 4)
-        if stub.port.enters:
-            shape = [
-                (x - PORT_ARROW, y + half),
-                (x, y + half),
-                (x, y - half),
-                (x - PORT_ARROW, y - half),
-            ]
-            shape.append((x - PORT_ARROW + notch, y))
-        else:
-            shape = [(x, y + half), (x + PORT_ARROW - notch, y + half), (x + PORT_ARROW, y)]
-            shape += [(x + PORT_ARROW - notch, y - half), (x, y - half)]
+        start, tail, tip = (x - PORT_ARROW, notch, 0.0) if stub.port.enters else (x, 0.0, notch)
+        end = start + PORT_ARROW
+        shape = [(start + tail, y), (start, y + half), (end - tip, y + half), (end, y)]
+        shape += [(end - tip, y - half), (start, y - half)]
         said = self.titles.port(stub.link, stub.port)
         self.pen.area(*shape, color=self.pen.style.power, title=said)
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-from vstatics.pictures.drawing.canvas import Look
+from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import shortened, width, wrapped
 from vstatics.pictures.drawing.style import SIZE, Style, number
 from vstatics.pictures.drawing.words import quantity, word
@@ -14,15 +14,15 @@ from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.joined import LeverRoute
 from vstatics.pictures.lever.marks import (
     MARK_SIZE,
+    SIGNS,
     LeverSheet,
     arrow,
     box,
-    coil,
     cut,
     freewheel,
     ground,
+    kind_of,
     mark_of,
-    plates,
 )
 from vstatics.pictures.lever.places import (
     BESIDE_LEVER,
@@ -171,14 +171,16 @@ def _carried(gear: LeverGear, names: Sequence[str], style: Style) -> str:
 
 
 def draw_route(
-    sheet: LeverSheet, gear: LeverGear, route: LeverRoute, feet: Mapping[int, float]
+    sheet: LeverSheet, gear: LeverGear, route: LeverRoute, band: int, bottom: float
 ) -> None:
-    """Draw the line of a link, clutch or spring between levers, in the rows of levers on the page.
+    """Draw the line of a link, clutch or spring between levers, in one row of levers.
 
     Parameters
     ----------
-    feet : mapping of int to float
-        Height of the foot of each row of levers on the page, by the index of the row. [pt]
+    band : int
+        Index of the row.
+    bottom : float
+        Height of the foot of the row. [pt]
     """
     style, tie = sheet.pen.style, route.tie
     if tie.name:
@@ -188,28 +190,22 @@ def draw_route(
     else:
         is_way = gear.is_way(tie.link, tie.ends[0][0], tie.ends[1][0])
         look = _look(tie.link, style, is_way=is_way)
-    for piece in route.pieces:
-        places = [(x, y + feet[band]) for band, (x, y) in piece if band in feet]
-        if places:
+    for place, (on, points) in enumerate(route.pieces, 1):
+        if on == band:
+            places = [(x, y + bottom) for x, y in points]
             sheet.line(*places, **look)
-            if piece is not route.pieces[0]:
+            if place > 1:
                 cut(sheet, (places[0][0] + 1, places[0][1]), look["colour"])
-            if piece is not route.pieces[-1]:
+            if place < len(route.pieces):
                 cut(sheet, places[-1], look["colour"])
-    if route.sign is not None and route.sign[0] in feet:
-        _draw_sign(sheet, gear, route, feet[route.sign[0]])
+    if route.sign is not None and route.sign[0] == band:
+        x, y = route.sign[1]
+        _draw_sign(sheet, gear, route, (x, y + bottom))
 
 
-def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
-    style, tie, upright = sheet.pen.style, route.tie, route.is_upright
-    assert route.sign is not None  # noqa: S101 - only a route with a symbol gets here
-    x, y = route.sign[1][0], route.sign[1][1] + bottom
-    if tie.is_spring:
-        coil(sheet, (x, y), upright=upright)
-    elif any_freewheel(sheet.page.case, [tie.name]):
-        freewheel(sheet, (x, y), upright=upright)
-    else:
-        plates(sheet, (x, y), upright=upright)
+def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, at: Point) -> None:
+    style, tie, upright, (x, y) = sheet.pen.style, route.tie, route.is_upright, at
+    SIGNS[kind_of(sheet.page.case, tie)](sheet, at, upright=upright)
     said, ink = _carried(gear, [tie.name], style), style.ink if tie.is_spring else style.engaged
     pen = sheet.pen
     if upright:

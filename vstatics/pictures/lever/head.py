@@ -27,8 +27,8 @@ class GearHead(NamedTuple):
     """Ratio as text, or the reason why the ratio is undefined."""
     elements: str
     """Engaged shift elements and given speeds, wrapped into lines."""
-    start: float
-    """Distance from the left end to the text of the shift elements. [pt]"""
+    starts: tuple[float, float]
+    """Distances from the left end to the ratio, and to the text of the shift elements. [pt]"""
 
     @property
     def high(self) -> float:
@@ -39,10 +39,10 @@ class GearHead(NamedTuple):
         """Draw the heading with the upper left corner at (`x`, `top`)."""
         y = top - 0.9 * RATIO_SIZE
         pen.text(x, y, self.name, size=TITLE, bold=True)
-        at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)
-        pen.text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
+        at, start = self.starts
+        pen.text(x + at, y, self.ratio, size=RATIO_SIZE, bold=True)
         up = y + 0.75 * SIZE  # 0.75 is the height of capitals relative to the letter size
-        pen.text(x + self.start, up, self.elements, color=pen.style.engaged, va="top")
+        pen.text(x + start, up, self.elements, color=pen.style.engaged, va="top")
 
 
 def gear_head(
@@ -63,4 +63,4 @@ def gear_head(
     named = width(name, TITLE, bold=True) + BETWEEN if name else 0.0
     start = named + (width(ratio, RATIO_SIZE, bold=True) + BETWEEN if ratio else 0.0)
     elements = wrapped("; ".join(filter(None, said)), room - start)
-    return GearHead(name, ratio, elements if style.titled or not is_alone else "", start)
+    return GearHead(name, ratio, elements if style.titled or not is_alone else "", (named, start))

@@ -14,25 +14,18 @@ from vstatics.pictures.lever.routes import LeverStep, steps
 
 LEAD_IN = 9.0
 """Length of the piece of line that comes from the previous row. [pt]"""
-BandPoint = tuple[int, Point]
-"""Index of a row of levers, and a point relative to the left end of the row's foot."""
 
 
 class LeverRoute(NamedTuple):
     """Line of a connection through the rows of a picture."""
 
     tie: LeverTie
-    pieces: Sequence[Sequence[BandPoint]]
-    """Points of the line, as a separate piece in each row of levers."""
-    sign: BandPoint | None
-    """Position of the symbol of a clutch or spring, if any."""
+    pieces: Sequence[tuple[int, list[Point]]]
+    """Pieces of the line: index of the row of levers, and points relative to the row's foot."""
+    sign: tuple[int, Point] | None
+    """Index of a row of levers, and position of the symbol of a clutch or spring, if any."""
     is_upright: bool
     """True if the symbol is on a vertical part of the line."""
-
-    @property
-    def points(self) -> list[BandPoint]:
-        """Points of all pieces."""
-        return [point for piece in self.pieces for point in piece]
 
 
 def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
@@ -46,27 +39,23 @@ def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
 
 
 def _route(page: LeverPage, tie_steps: Sequence[LeverStep]) -> LeverRoute:
-    pieces: list[list[BandPoint]] = [[]]
-    sign: BandPoint | None = None
+    pieces = [(page.cells[tie_steps[0].gap].band, list[Point]())]
+    sign: tuple[int, Point] | None = None
     for step in tie_steps:
         cell = page.cells[step.gap]
-        x, band = cell.right + step.x, cell.band
-        pieces[-1] += [(band, (cell.right, step.start))]
+        x, points = cell.right + step.x, pieces[-1][1]
+        points.append((cell.right, step.start))
         if step.wide:
-            pieces[-1] += [(band, (x, step.start)), (band, (x + step.slant, step.end))]
+            points += [(x, step.start), (x + step.slant, step.end)]
         if step.is_signed:
-            sign = band, (cell.right + step.sign_at, step.sign)
+            sign = cell.band, (cell.right + step.sign_at, step.sign)
         if step.is_back:
-            pieces[-1].append((band, (cell.right, step.end)))
+            points.append((cell.right, step.end))
             continue
         after = page.cells[step.gap + 1]
-        if after.band != band:
-            pieces[-1].append((band, (cell.right + cell.gap, step.end)))
-            pieces.append([(after.band, (WIDE_MARGIN - LEAD_IN, step.end))])
-        pieces[-1].append((after.band, (after.left, step.end)))
-    return LeverRoute(
-        tie_steps[0].tie,
-        pieces,
-        sign,
-        any(step_.is_signed and step_.is_upright for step_ in tie_steps),
-    )
+        if after.band != cell.band:
+            points.append((cell.right + cell.gap, step.end))
+            pieces.append((after.band, [(WIDE_MARGIN - LEAD_IN, step.end)]))
+        pieces[-1][1].append((after.left, step.end))
+    is_upright = any(step.is_signed and step.is_upright for step in tie_steps)
+    return LeverRoute(tie_steps[0].tie, pieces, sign, is_upright)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import filled
 from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.canvas import Point
@@ -14,14 +15,13 @@ from vstatics.pictures.drawing.style import WIDE_MARGIN, Style, number
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.marks import (
     MARKS,
+    SIGNS,
     LeverSheet,
     arrow,
     box,
-    coil,
-    freewheel,
     ground,
+    kind_of,
     mark_of,
-    plates,
 )
 from vstatics.pictures.lever.places import LeverPage, any_freewheel
 
@@ -34,36 +34,26 @@ KEY_SIGN_WIDTH = 24.0
 class LeverKey(NamedTuple):
     """Key of a page."""
 
-    entries: Sequence[tuple[str, str]]
-    """Kind and explanation of each symbol."""
-    wide: float
-    """Width of the page. [pt]"""
+    rows: Sequence[Sequence[tuple[str, str, float]]]
+    """Kind and explanation of each symbol, with the distance between them [pt], in rows."""
     arrow: float
     """Length of the arrow that shows the scale of torques. [pt]"""
-
-    def _places(self) -> Iterator[Point]:
-        x, row = WIDE_MARGIN, 0
-        for kind, text in self.entries:
-            size = self._room(kind) + width(text) + WIDE_MARGIN
-            if x > WIDE_MARGIN and x + size > self.wide:
-                x, row = WIDE_MARGIN, row + 1
-            yield x, -row * KEY_ROW_HEIGHT
-            x += size
-
-    def _room(self, kind: str) -> float:
-        return max(KEY_SIGN_WIDTH, self.arrow + 6) if kind == "torque" else KEY_SIGN_WIDTH
 
     @property
     def height(self) -> float:
         """Height of all rows [pt]."""
-        return KEY_ROW_HEIGHT - min(y for _, y in self._places())
+        return KEY_ROW_HEIGHT * len(self.rows)
 
     def put(self, sheet: LeverSheet) -> None:
         """Draw the key at the lower edge of the page."""
-        top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
-        for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
-            self._sample(sheet, kind, (x, top + down))
-            sheet.pen.text(x + self._room(kind), top + down, text, va="center")
+        y = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
+        for row in self.rows:
+            x = WIDE_MARGIN
+            for kind, text, room in row:
+                self._sample(sheet, kind, (x, y))
+                sheet.pen.text(x + room, y, text, va="center")
+                x += room + width(text) + WIDE_MARGIN
+            y -= KEY_ROW_HEIGHT
 
     def _sample(self, sheet: LeverSheet, kind: str, place: Point) -> None:
         (x, y), style = place, sheet.pen.style
@@ -72,13 +62,10 @@ class LeverKey(NamedTuple):
             sheet.point(at, kind, style.ink)
         elif kind in ("brake", "housing"):
             ground(sheet, at, style.engaged if kind == "brake" else style.ink)
-        elif kind == "freewheel":
-            sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=style.engaged)
-            freewheel(sheet, at)
-        elif kind in ("clutch", "slack", "spring"):
-            lines = {"clutch": style.engaged, "slack": style.faint, "spring": style.soft}
-            sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=lines[kind])
-            (coil if kind == "spring" else plates)(sheet, at)
+        elif kind in SIGNS:
+            lines = {"slack": style.faint, "spring": style.soft}
+            sheet.line((at[0] - 8, y), (at[0] + 8, y), colour=lines.get(kind, style.engaged))
+            SIGNS[kind](sheet, at)
         elif kind == "torque":
             arrow(sheet, (x + self.arrow, y), self.arrow)
         elif kind in ("pair", "varied"):
@@ -112,7 +99,15 @@ def key_of(
         "pale": text("carries no torque"),
     }
     signs = {sign for gear in gears for sign in _signs(page, gear)}
-    return LeverKey([entry for entry in meanings.items() if entry[0] in signs], wide, length)
+    rooms = {"torque": max(KEY_SIGN_WIDTH, length + 6)}
+    entries = [
+        (kind, said, rooms.get(kind, KEY_SIGN_WIDTH))
+        for kind, said in meanings.items()
+        if kind in signs
+    ]
+    room = wide - 2 * WIDE_MARGIN
+    rows = filled(entries, room, lambda entry: entry[2] + width(entry[1]), WIDE_MARGIN)
+    return LeverKey([*rows], length)
 
 
 def _unit(per_torque: float) -> tuple[float, str]:
@@ -141,11 +136,9 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
     for names in gear.grounds.values():
         yield from _held_by(page.case, names)
     for tie in gear.ties:
-        if tie.is_spring:
-            yield "spring"
-        elif tie.name:
-            clutch = "freewheel" if any_freewheel(page.case, [tie.name]) else "clutch"
-            yield "slack" if gear.is_slack(tie.name) else clutch
+        if tie.name:
+            is_slack = not tie.is_spring and gear.is_slack(tie.name)
+            yield "slack" if is_slack else kind_of(page.case, tie)
 
 
 def _held_by(case: Transmission, names: Sequence[str]) -> Iterator[str]:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from vstatics.core.model.transmission import HOUSING
+from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.canvas import Look, Outline, Point
 from vstatics.pictures.drawing.gear_state import PictureState
 from vstatics.pictures.drawing.labels import Span
 from vstatics.pictures.drawing.pen import Pen, corners, zigzag
-from vstatics.pictures.lever.places import LeverPage
+from vstatics.pictures.lever.gear import LeverTie
+from vstatics.pictures.lever.places import LeverPage, any_freewheel
 
 ARROW_HEAD = 5.0
 """Length of the head of an arrow. [pt]"""
@@ -135,6 +136,21 @@ def freewheel(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None
     sheet.area(*wedge, colour=sheet.pen.style.engaged)
     bar = [_turned(place, (3.5, across), upright=upright) for across in (-5, 5)]
     sheet.line(*bar, colour=sheet.pen.style.engaged, width=1.4)
+
+
+SIGNS: dict[str, Callable[..., None]] = {
+    "clutch": plates,
+    "slack": plates,
+    "spring": coil,
+    "freewheel": freewheel,
+}
+"""Functions that draw the symbols of lines, by kind."""
+
+
+def kind_of(case: Transmission, tie: LeverTie) -> str:
+    """Return the kind of the symbol of a clutch or spring, a key of `SIGNS`."""
+    held = "freewheel" if any_freewheel(case, [tie.name]) else "clutch"
+    return "spring" if tie.is_spring else held
 
 
 def cut(sheet: LeverSheet, place: Point, colour: str) -> None:

@@ -168,7 +168,8 @@ def _blocks(
         names = lever_names(page, gear, same, style, wide - WIDE_MARGIN)
         rows = []
         for band, places in enumerate(page.bands):
-            lines = [y for route in lines_of_ties for on, (_, y) in route.points if on == band]
+            pieces = [piece for route in lines_of_ties for piece in route.pieces]
+            lines = [y for on, points in pieces if on == band for _, y in points]
             heights = [*page.extent(band), *lines]
             here = {place: names[place] for place in places}
             rows.append(
@@ -195,4 +196,4 @@ def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:
         view = LeverView(sheet, block.gear, place, bottom, block.same.get(place))
         draw_lever(view, name, below)
     for route in block.routes:
-        draw_route(sheet, block.gear, route, {block.band: bottom})
+        draw_route(sheet, block.gear, route, block.band, bottom)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import inf
 from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.pictures.drawing.labels import Span, height, spread, widest, width, wrapped
+from vstatics.pictures.drawing.pages import divided
 from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
 from vstatics.pictures.drawing.tolerances import LEAST_POINT_DISTANCE
 from vstatics.pictures.drawing.words import word
@@ -30,6 +32,8 @@ MOST_FOR_POINT = 22.0
 """Largest height per point of levers with many points. [pt]"""
 GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
 """Widths of the symbol of a support, and of a freewheel before the support. [pt]"""
+COST_OF_ROW, COST_OF_CUT = 1e6, 1e3
+"""Costs of a row of levers, and of each line that it cuts, relative to a full row. [-]"""
 BRAKE_NAME_WIDTH = 40.0
 """Width reserved for the name of a brake; longer names reach towards the speed or are cut. [pt]"""
 
@@ -122,23 +126,20 @@ def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: floa
     """Divide levers, given as (length, gap), into as few rows of the width `room` as possible.
 
     `cuts` is the number of lines that a new row after each lever would cut. Among divisions with
-    the fewest rows, the division with the fewest cut lines is chosen, then the division whose
-    longest row is shortest.
+    the fewest rows, the division with the fewest cut lines is chosen, then the division into rows
+    of similar lengths.
 
     >>> broken([(40.0, 5.0)] * 4, [1] * 4, 140.0), broken([(40.0, 5.0)] * 4, [1, 1, 0, 1], 140.0)
     ([range(0, 2), range(2, 4)], [range(0, 3), range(3, 4)])
     """
-    best: list[tuple[int, int, float, list[range]]] = [(0, 0, 0.0, [])]
-    for end in range(1, len(sizes) + 1):
-        divisions = []
-        for start in range(end):
-            long = sum(wide + gap for wide, gap in sizes[start:end])
-            if long <= room or end - start == 1:
-                count, cost, most, rows = best[start]
-                rows = [*rows, range(start, end)]
-                divisions.append((count + 1, cost + cuts[end - 1], max(most, long), rows))
-        best.append(min(divisions, key=lambda division: division[:3]))
-    return best[-1][3]
+
+    def cost(start: int, end: int) -> float:
+        long = sum(wide + gap for wide, gap in sizes[start:end])
+        if long > room and end - start > 1:
+            return inf
+        return COST_OF_ROW + COST_OF_CUT * cuts[end - 1] + (long / room) ** 2
+
+    return divided(range(1, len(sizes) + 1), cost)
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:

@@ -16,6 +16,8 @@ from vstatics.core.elements.drawing import parts_of
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import Planetary
 from vstatics.core.elements.lower import DrawnPart
+from vstatics.core.groups import grouped
+from vstatics.core.model.fields import join
 from vstatics.core.model.springs import ends
 from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.labels import Span
@@ -177,20 +179,20 @@ def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
     Links connected by springs form a shaft, named after the first loaded link.
     """
     on_levers = {node.link for lever in drawn for node in lever.nodes} | {HOUSING}
-    bodies = {link: {link} for link in range(1, case.own_links + 1) if link not in on_levers}
-    for first, second in filter(None, (ends(spring.twist) for spring in case.springs)):
-        if first in bodies and second in bodies:
-            both = bodies[first] | bodies[second]
-            bodies |= dict.fromkeys(both, both)
+    bodies = list(range(case.own_links + 1))
+    for both in filter(None, (ends(spring.twist) for spring in case.springs)):
+        if on_levers.isdisjoint(both):
+            join(bodies, *both)
     touched = _touched(case)
     forms = [set(spring.form) for spring in case.springs]
+    free = ((body, link) for link, body in enumerate(bodies) if link not in on_levers)
     levers_of_shafts: list[Lever] = []
-    for link, body in bodies.items():
-        named = sorted(body & touched.keys(), key=touched.__getitem__)
-        is_between = sum(bool(form & body and form - body) for form in forms) > 1
-        if link == min(body) and (named or is_between):
-            node = LeverNode("", (named or [link])[0], 0.0)
-            levers_of_shafts.append(Lever("", (node,), shaft=tuple(sorted(body))))
+    for shaft in grouped(free).values():
+        named = sorted(touched.keys() & shaft, key=touched.__getitem__)
+        is_between = sum(bool(form & {*shaft} and form - {*shaft}) for form in forms) > 1
+        if named or is_between:
+            node = LeverNode("", (named or shaft)[0], 0.0)
+            levers_of_shafts.append(Lever("", (node,), shaft=tuple(shaft)))
     return levers_of_shafts
 
 

@@ -204,23 +204,17 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
     """Return whether other lines share the start of a piece, but no line shares its end."""
     others = [other for other in here if other is not step]
     begins = any(abs(other.start - step.start) < 1 for other in others)
-    return (
-        begins
-        and not step.is_back
-        and all(abs(other_step.end - step.end) >= 1 for other_step in others)
-    )
+    ends = any(abs(other.end - step.end) < 1 for other in others)
+    return begins and not (ends or step.is_back)
 
 
 def _crossings(ordered: Sequence[LeverStep]) -> int:
     count = 0
-    for place, left_step in enumerate(ordered):
-        for right_step in ordered[place + 1 :]:
-            (low, high), (low2, high2) = left_step.span, right_step.span
-            count += sum(low < y < high for y, is_left in right_step.levels if is_left)
-            count += sum(low2 < y < high2 for y, is_left in left_step.levels if not is_left)
-            count += OVERLAP_COST * (
-                not left_step.is_back and abs(left_step.end - right_step.start) < 1
-            )
+    for left, right in combinations(ordered, 2):
+        (low, high), (low2, high2) = left.span, right.span
+        count += sum(low < y < high for y, is_left in right.levels if is_left)
+        count += sum(low2 < y < high2 for y, is_left in left.levels if not is_left)
+        count += OVERLAP_COST * (not left.is_back and abs(left.end - right.start) < 1)
     return count
 
 

@@ -85,15 +85,6 @@ class Glyph(NamedTuple):
     """Names and tooth numbers: left end, vertical alignment (``top`` or ``bottom``), and text."""
 
     @property
-    def wheels(self) -> tuple[Point, Point]:
-        """Corners of a rectangle around all gears [pt]."""
-        points = [
-            point for stroke in self.strokes if stroke.width == TOOTH for point in stroke.points
-        ]
-        xs, ys = zip(*points, strict=True)
-        return (min(xs), min(ys)), (max(xs), max(ys))
-
-    @property
     def half(self) -> float:
         """Largest distance of any line above or below the middle of the row [pt]."""
         heights = [abs(y) for stroke in self.strokes for _, y in stroke.points]

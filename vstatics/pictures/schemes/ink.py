@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
+from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.drawing.canvas import Look, Point
-from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.pen import LINE_WIDTH, Pen
+from vstatics.pictures.schemes.gear_glyphs import HATCH_WIDTH, TOOTH, hatching
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 from vstatics.pictures.schemes.titles import Titles
@@ -88,6 +90,18 @@ class SchemeInk:
         """Write the name of a component, bold if it is engaged and does not slip."""
         usual: Look = {"color": self.text_color(index), "bold": self.state.is_closed(index)}
         centred(self.of_device(index).pen, at, name, **usual, **look)
+
+    def draw_strokes(self, index: int, strokes: Iterable[tuple[float, Sequence[Point]]]) -> None:
+        """Draw the lines of a gear set by width, hatched if the gear set rotates as a block."""
+        pen, looks = self.of_device(index).pen, grouped(strokes)
+        if index in self.state.pieces:
+            xs, ys = zip(*(point for line in looks[TOOTH] for point in line), strict=True)
+            lines = hatching((min(xs), min(ys)), (max(xs), max(ys)))
+            pen.lines(lines, color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
+        look: Look = {"color": self.color(index), "zorder": 4, "solid_capstyle": "projecting"}
+        for thick, places in looks.items():
+            title = self.said(index) if thick == LINE_WIDTH else ""
+            pen.lines(places, width=thick, title=title, **look)
 
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
         """Return the directions of power at ports: True for leaving, False for entering power.

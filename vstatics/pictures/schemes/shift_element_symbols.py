@@ -27,6 +27,7 @@ PLATE_CLEARANCE = 2.5
 """Distance from a plate to the opposite plate carrier. [pt]"""
 Place = Callable[[float, float], Point]
 """Conversion of distances along and across a line to a point of the picture."""
+_Lines = list[Sequence[Point]]
 
 
 class Coupled(NamedTuple):
@@ -75,7 +76,7 @@ def draw_coupled(pen: Pen, coupled: Coupled) -> None:
         return x + along * dx - across * dy, y + along * dy + across * dx
 
     rods = [(coupled.start, at(-half, 0)), (at(half, 0), coupled.end)]
-    lines: list[Sequence[Point]] = [line for line in rods if line[0] != line[1]]
+    lines: _Lines = [line for line in rods if line[0] != line[1]]
     if coupled.housing:
         lines += ground(coupled.end, coupled.housing)
     if coupled.rod and coupled.rod != coupled.color:
@@ -98,36 +99,43 @@ def _sign(pen: Pen, corners: Sequence[Point], coupled: Coupled, fill: str) -> No
     pen.area(*corners, width=LINE_WIDTH, joinstyle="round", zorder=4, **look)
 
 
-def _closed(pen: Pen, at: Place, half: float, edge: float, coupled: Coupled) -> None:
-    corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
-    _sign(pen, corners, coupled, coupled.color)
+def _block(  # noqa: PLR0913, PLR0917 - size and look of a rectangle
+    pen: Pen, at: Place, start: float, end: float, edge: float, coupled: Coupled, fill: str = ""
+) -> None:
+    """Draw a rectangle across the line, by default filled with the colour of the symbol."""
+    corners = [at(start, edge), at(end, edge), at(end, -edge), at(start, -edge)]
+    _sign(pen, corners, coupled, fill or coupled.color)
 
 
-def _plates(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+def _comb(at: Place, root: float, tip: float, teeth: Sequence[float], edge: float) -> _Lines:
+    """Return a line across at `root` and the plates or teeth that reach from it to `tip`."""
+    return [(at(root, -edge), at(root, edge)), *((at(root, y), at(tip, y)) for y in teeth)]
+
+
+def _plates(pen: Pen, at: Place, half: float, coupled: Coupled) -> _Lines:
     """Return the lines of interleaved plates. Engaged plates are drawn as a block instead."""
     edge = PLATES[-1] + 1.5
     if coupled.is_closed:
-        _closed(pen, at, half, edge, coupled)
+        _block(pen, at, -half, half, edge, coupled)
         inner = [(at(PLATE_CLEARANCE - half, across), at(half, across)) for across in PLATES]
         pen.lines(inner, color=pen.style.paper, width=0.7, zorder=5)
         return []
+    tip = half - PLATE_CLEARANCE
     return [
-        (at(half, -PLATES[-1]), at(half, PLATES[-1])),
-        *((at(half, across), at(PLATE_CLEARANCE - half, across)) for across in PLATES),
-        (at(-half, BETWEEN[0]), at(-half, BETWEEN[1])),
-        *((at(-half, across), at(half - PLATE_CLEARANCE, across)) for across in BETWEEN),
+        *_comb(at, half, -tip, PLATES, PLATES[-1]),
+        *_comb(at, -half, tip, BETWEEN, BETWEEN[-1]),
     ]
 
 
-def _spring(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Sequence[Point]]:
+def _spring(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> _Lines:
     return [[at(*turn) for turn in zigzag(0.0, 0.0, half, 6.0)]]
 
 
-def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> _Lines:
     """Return the lines of a spring followed by a gap; fill the gap of an engaged dog clutch."""
     near, far = half - GAP_IN_LINE, half - 1.0
     if coupled.is_closed:
-        _sign(pen, [at(near, 6), at(far, 6), at(far, -6), at(near, -6)], coupled, coupled.color)
+        _block(pen, at, near, far, 6.0, coupled)
     coil = (near - half) / 2
     return [
         [at(*turn) for turn in zigzag(coil, 0.0, near - coil, 6.0)],
@@ -136,7 +144,7 @@ def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[P
     ]
 
 
-def _freewheel(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+def _freewheel(pen: Pen, at: Place, half: float, coupled: Coupled) -> _Lines:
     """Return the lines of a triangle that points in the blocked direction of the first link."""
     fill = coupled.color if coupled.is_closed else pen.style.paper
     tip = -half if coupled.is_backward else half
@@ -144,27 +152,23 @@ def _freewheel(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Seque
     return [(at(tip, 7), at(tip, -7))]
 
 
-def _dogs(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+def _dogs(pen: Pen, at: Place, half: float, coupled: Coupled) -> _Lines:
     if coupled.is_closed:
-        _closed(pen, at, half, 9, coupled)
+        _block(pen, at, -half, half, 9.0, coupled)
         joint = [at(half / 2 * (1, -1)[step % 2], 3.5 * step - 8.75) for step in range(6)]
         pen.line(*joint, color=pen.style.paper, width=0.9, zorder=5)
         return []
-    lines: list[Sequence[Point]] = [(at(side, 9), at(side, -9)) for side in (-half, half)]
-    for side, places in ((-half, (-7.0, 0.0, 7.0)), (half, (-3.5, 3.5))):
-        lines += [(at(side, across), at(-side / 3, across)) for across in places]
-    return lines
+    tip = half / 3
+    return [*_comb(at, -half, tip, PLATES, 9.0), *_comb(at, half, -tip, BETWEEN, 9.0)]
 
 
-def _box(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+def _box(pen: Pen, at: Place, half: float, coupled: Coupled) -> _Lines:
     """Draw a box for a component without a symbol, such as a converter; return no lines."""
-    across = HALF_BOX_SIGN
-    corners = [at(-half, across), at(half, across), at(half, -across), at(-half, -across)]
-    _sign(pen, corners, coupled, pen.style.paper)
+    _block(pen, at, -half, half, HALF_BOX_SIGN, coupled, pen.style.paper)
     return []
 
 
-def _support(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Sequence[Point]]:
+def _support(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> _Lines:
     return [(at(-half, 0), at(half, 0))]
 
 

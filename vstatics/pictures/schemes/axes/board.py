@@ -66,18 +66,11 @@ class AxesBoard:
         }
 
     @cached_property
-    def apart(self) -> Mapping[tuple[int, int], bool]:
-        """True for each pair of stations that do not occupy a common axis."""
-        rows = [frozenset(station_rows) for station_rows in self.occupied]
-        count = range(len(rows))
-        return {
-            (first, second): not rows[first] & rows[second] for first in count for second in count
-        }
-
-    @cached_property
-    def occupied(self) -> Sequence[Sequence[int]]:
+    def occupied(self) -> Sequence[frozenset[int]]:
         """Indices of the axes that each station occupies over the full height."""
-        return [self._occupied(index, station) for index, station in enumerate(self.stations)]
+        return [
+            frozenset(self._occupied(index, station)) for index, station in enumerate(self.stations)
+        ]
 
     @cached_property
     def station_of(self) -> Mapping[int, Station]:
@@ -134,16 +127,13 @@ class AxesBoard:
     @cached_property
     def may_be_drums(self) -> frozenset[int]:
         """Links that can be drawn as drums: on axes with gear sets, or without gears."""
-        rows = {axis for axis in range(len(self.axes.axes)) if self.set_halves[axis]}
-        pairs = self.axis_of.items()
-        sides = {
+        sides = (item.links for item in self.stations if item.kind == "differential")
+        links = (
             link
-            for station in self.stations
-            if station.kind == "differential"
-            for link in station.links
-        }
-        candidates = (n for n, axis in pairs if axis in rows or n not in self.wheels)
-        return frozenset(candidates) - sides
+            for link, axis in self.axis_of.items()
+            if self.set_halves[axis] or link not in self.wheels
+        )
+        return frozenset(links).difference(*sides)
 
     @cached_property
     def set_halves(self) -> Mapping[int, float]:
@@ -177,20 +167,19 @@ class AxesBoard:
                     occupied.append(row)
         return occupied
 
-    def bell(self, index: int, way: int) -> tuple[int, float]:
-        """Return the index of the internal gear in a gear pair, and the offset of the web [pt].
+    def webs(self, index: int, way: int) -> tuple[float, float]:
+        """Return the offsets of the webs of both gears of a pair from the middle of the teeth [pt].
 
-        The offset lets the web pass the pinion inside the internal gear; it is 0 without such a
-        gear.
+        The offset lets the web of an internal gear pass the pinion inside; other offsets are 0.
         """
         station = self.stations[index]
         if station.joint is None or station.joint.kind != "internal_pair":
-            return -1, 0.0
+            return 0.0, 0.0
         first, between, second = self.radii[index]
-        place = int(second > first)
         ends = [self.rows.heights[axis] for axis in station.axes]
         is_within = abs(abs(first - second) - abs(ends[0] - ends[1])) < 1e-6 and not between
-        return (place, -BELL if way else BELL) if is_within else (-1, 0.0)
+        offset = is_within * (-BELL if way else BELL)
+        return (0.0, offset) if second > first else (offset, 0.0)
 
     @cached_property
     def road_wheels(self) -> Mapping[int, int]:
@@ -225,7 +214,7 @@ class AxesBoard:
         station = self.stations[index]
         if station.kind == "set":
             return len(station.glyphs)
-        return 2 if station.kind == "differential" or self.bell(index, 0)[1] else 1
+        return 2 if station.kind == "differential" or any(self.webs(index, 0)) else 1
 
 
 def _band(board: AxesBoard, axis: int) -> float:

@@ -62,18 +62,15 @@ def _sides(
 ) -> tuple[int, int]:
     """Return the left and right link of a station, from contacts at other positions."""
     first, second = links
-    turn = []
-    for link in (first, second):
+    turns = []
+    for link in links:
         positions = [position for position in middle[link] if position != x]
-        lefts = sum(position < x for position in positions)
-        ways = 0.0 if not positions else (len(positions) - 2 * lefts) / len(positions)
-        turn.append(
-            ways + 1e-6 * sum(min(max(position, -500.0), 500.0) - x for position in positions) / 1e3
-        )
+        ways = sum(1 if position > x else -1 for position in positions) / max(len(positions), 1)
+        distance = sum(min(max(position, -500.0), 500.0) - x for position in positions)
+        turns.append(ways + 1e-9 * distance)
     # The link that is clearly on one side decides; the other link takes the opposite side.
-    if abs(turn[1]) > abs(turn[0]):
-        return (first, second) if turn[1] > 0 else (second, first)
-    return (second, first) if turn[0] > 0 else (first, second)
+    turn = max(-turns[0], turns[1], key=abs)
+    return (second, first) if turn < 0 else (first, second)
 
 
 def _fixed(
@@ -82,7 +79,7 @@ def _fixed(
     """Yield contacts of a station with positions that do not depend on the sides of the links."""
     device = station.devices[0]
     if station.joint is not None:
-        yield from _of_pair(station, board.radii[index], x, board.bell(index, chosen.ways[index]))
+        yield from _of_pair(station, board.radii[index], x, board.webs(index, chosen.ways[index]))
     elif station.kind == "brake":
         yield AxisContact(station.links[0], x, device, "sign")
     elif station.kind == "box" and not station.has_two_sides:
@@ -98,11 +95,11 @@ def _fixed(
 
 
 def _of_pair(
-    station: Station, radii: tuple[float, float, float], x: float, bell: tuple[int, float]
+    station: Station, radii: tuple[float, float, float], x: float, webs: tuple[float, float]
 ) -> Iterator[AxisContact]:
     device = station.devices[0]
-    for place, (link, radius) in enumerate(zip(station.links, radii[::2], strict=True)):
-        at = x + (bell[1] if place == bell[0] else 0.0)
+    for link, radius, off in zip(station.links, radii[::2], webs, strict=True):
+        at = x + off
         yield AxisContact(link, at - WHEEL, device, "bar")
         yield AxisContact(link, at, device, "wheel", radius)
         yield AxisContact(link, at + WHEEL, device, "bar")

@@ -55,7 +55,7 @@ def figures(
         )
         pen = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
         pen = pen.fitted(low, high)._replace(letters=placing.letters)
-        sheet = AxesSheet(pen, scheme, caption.state, caption.titles, placing, letters.labels)
+        sheet = AxesSheet(pen, scheme, caption.state, caption.titles, placing, letters)
         draw_links(sheet)
         for number, station in enumerate(placing.board.stations):
             (draw_pair if station.kind == "pair" else draw_station)(sheet, number)

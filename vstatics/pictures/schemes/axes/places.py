@@ -66,6 +66,12 @@ class AxesPlaces(NamedTuple):
             return span.height * (link not in self.board.entry)
         return self.bases[self.axis_of(link)] + PORT_PITCH * span.level - 2.0
 
+    def end_of(self, link: int) -> tuple[float, float, int]:
+        """Return the start of the arrow of a link [pt], and the direction: 1 right, -1 left."""
+        span = self.spans[link]
+        x, way = (span.right, 1) if link in self.chosen.rightward else (span.left, -1)
+        return x, self.y(self.axis_of(link), self.port_height(link)), way
+
     def road_end(self, link: int) -> float:
         """Return the horizontal position of the road wheel of a link [pt]."""
         kinds = ("port", "road")
@@ -148,17 +154,17 @@ def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
             if edges.get(row, 0.0) > start:
                 start = edges[row]
         xs[index] = start + half
-        if len(rows) == 1 and rows[0] not in shared:
+        if len(rows) > 1:
+            shared |= rows
+        elif rows.isdisjoint(shared):
             first.append(index)
-        elif len(rows) > 1:
-            shared.update(rows)
         for row in rows:
             edges[row] = start + 2 * half + gap
     starts: dict[int, float] = {}
     for index in reversed(order) if first else ():
         rows, half = board.occupied[index], board.stations[index].half
-        if index in first and rows[0] in starts:
-            xs[index] = max(xs[index], starts[rows[0]] - gap - half)
+        for row in rows & starts.keys() if index in first else ():
+            xs[index] = max(xs[index], starts[row] - gap - half)
         for row in rows:
             starts[row] = min(starts.get(row, inf), xs[index] - half)
     return xs

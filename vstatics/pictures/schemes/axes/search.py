@@ -93,11 +93,14 @@ def _moved(
         chosen.groups[at : at + length],
         chosen.groups[:at] + chosen.groups[at + length :],
     )
-    backward = tuple(group[::-1] for group in reversed(block))
+    backward, occupied = tuple(group[::-1] for group in reversed(block)), board.occupied
     for place in range(len(remaining) + 1):
         before = remaining[place - 1] if place else ()
         if place and all(
-            board.apart[moved, n] for group in block for moved in group for n in before
+            occupied[moved].isdisjoint(occupied[n])
+            for group in block
+            for moved in group
+            for n in before
         ):
             continue
         for moved in (block, backward) if backward != block else (block,):
@@ -163,10 +166,11 @@ def _misplaced(placing: AxesPlaces) -> float:
         elif station.kind == "section":
             value += THROUGH * len(list(passing(placing, station, x)))
         elif station.kind == "differential":
-            axis = station.axes[0]
-            own_axis = [link for link in placing.spans if placing.axis_of(link) == axis]
-            spans = [placing.spans[link] for link in own_axis if link != station.links[2]]
-            through = (span.level >= 0 and span.left < x < span.right for span in spans)
+            through = (
+                span.left < x < span.right and placing.axis_of(link) == station.axes[0]
+                for link, span in placing.spans.items()
+                if span.level >= 0 and link != station.links[2]
+            )
             value += THROUGH * sum(through)
         elif board.entry & {*station.links}:
             value += LEFT_OF_INPUT * sum(other < x for other in placing.xs)
@@ -184,14 +188,10 @@ def passing(placing: AxesPlaces, section: Station, x: float) -> Iterator[int]:
 def _shared_hubs(placing: AxesPlaces) -> int:
     """Return the number of neighbouring clutches on a common hub between gears."""
     board, count = placing.board, 0
+    order = sorted(range(len(placing.xs)), key=placing.xs.__getitem__)
+    stations = [board.stations[n] for n in order]
     for axis in range(len(board.axes.axes)):
-        row = [
-            n
-            for n in sorted(range(len(placing.xs)), key=lambda n: placing.xs[n])
-            if axis in board.stations[n].axes
-        ]
-        for left, right in pairwise(row):
-            both = board.stations[left], board.stations[right]
-            if both[0].kind == both[1].kind == "coupling":
-                count += bool(set(both[0].links) & set(both[1].links))
+        for left, right in pairwise([station for station in stations if axis in station.axes]):
+            if left.kind == right.kind == "coupling":
+                count += not {*left.links}.isdisjoint(right.links)
     return count

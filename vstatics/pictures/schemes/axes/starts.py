@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 
@@ -22,43 +22,30 @@ def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], 
 
     A gear that rotates freely on its shaft is in a group with its clutch.
     """
-    neighbours: dict[int, list[int]] = {index: [] for index in order}
-    group = {index: index for index in order}
-    ends = {port.link for port in board.ports}
+    chains: dict[int, tuple[int, ...]] = {index: (index,) for index in order}
+    excluded = {port.link for port in board.ports} | board.cages
     for link in board.axis_of:
         connected = [index for index in order if link in board.stations[index].links]
         kinds = {board.stations[index].kind for index in connected}
-        if len(connected) != 2 or link in ends or "coupling" not in kinds or not kinds <= IN_CHAINS:
+        is_shared = len(connected) == 2 and link not in excluded
+        if not is_shared or "coupling" not in kinds or not kinds <= IN_CHAINS:
             continue
         first, second = connected
-        free = all(
-            len(neighbours[n]) < (1 if board.stations[n].kind == "pair" else 2) for n in connected
+        before, after = chains[first], chains[second]
+        # A gear pair is at the end of a chain.
+        are_ends = all(
+            n in {chain[0], chain[-1]} and (len(chain) == 1 or board.stations[n].kind != "pair")
+            for n, chain in ((first, before), (second, after))
         )
-        if free and group[first] != group[second] and link not in board.cages:
-            neighbours[first].append(second)
-            neighbours[second].append(first)
-            group = {n: group[first] if g == group[second] else g for n, g in group.items()}
-    groups: list[tuple[int, ...]] = []
-    used: set[int] = set()
-    for index in order:
-        if index not in used:
-            chain = _chain(index, neighbours)
-            places = [order.index(first) for first in chain]
-            groups.append(chain if places[0] <= places[-1] else chain[::-1])
-            used |= {*chain}
-    return tuple(groups)
-
-
-def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
-    before, at = -1, index
-    while ahead := [
-        neighbour for neighbour in neighbours[at] if neighbour != before
-    ]:  # walk to one end, then back through the whole chain
-        before, at = at, ahead[0]
-    chain = [at]
-    while ahead := [neighbour for neighbour in neighbours[chain[-1]] if neighbour not in chain]:
-        chain.append(ahead[0])
-    return tuple(chain)
+        if are_ends and before != after:
+            chain = before if before[-1] == first else before[::-1]
+            chain += after if after[0] == second else after[::-1]
+            chains |= dict.fromkeys(chain, chain)
+    groups = dict.fromkeys(chains[index] for index in order)
+    return tuple(
+        group if order.index(group[0]) <= order.index(group[-1]) else group[::-1]
+        for group in groups
+    )
 
 
 def _by_links(board: AxesBoard) -> list[int]:

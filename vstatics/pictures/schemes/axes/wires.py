@@ -79,7 +79,6 @@ def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
 
 def branches(placing: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
     """Yield the points where the line of a link branches to a component other than a gear."""
-    (left, level), (right, _) = lines.level
     wheeled = {
         contact.device
         for contact in placing.contacts
@@ -88,18 +87,19 @@ def branches(placing: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple
         and placing.spans[link].level >= 0
     }
     paths = [(device, path) for device, path in lines.upright if device not in wheeled]
-    for place, (device, path) in enumerate(paths):
-        (x, _), (end_x, end) = path[0], path[-1]
-        if left + EPSILON < x < right - EPSILON:
-            yield device, (x, level)
-        for number, (_, branch_path) in enumerate(paths):
-            low, high = sorted((branch_path[0][1], branch_path[-1][1]))
-            if (
-                number != place
-                and branch_path[0][0] == end_x
-                and low + EPSILON < end < high - EPSILON
-            ):
-                yield device, (end_x, end)
+    pieces = [lines.level, *(piece for _, path in paths for piece in pairwise(path))]
+    for device, path in paths:
+        for at in (path[0], path[-1]):
+            if any(_is_inside(at, piece) for piece in pieces):
+                yield device, at
+
+
+def _is_inside(at: Point, line: Segment) -> bool:
+    """Return True if a point is on a horizontal or vertical line, but not at an end."""
+    (x, y), (x2, y2) = line
+    low, high = sorted(line)
+    is_on = at[0] == x == x2 or at[1] == y == y2
+    return is_on and EPSILON < sum(at) - sum(low) < sum(high) - sum(low) - EPSILON
 
 
 def sign_height(placing: AxesPlaces, device: int) -> float:
@@ -142,10 +142,11 @@ def wheel_crossings(placing: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
     for number, station in enumerate(placing.board.stations):
         if station.kind != "pair":
             continue
-        bell, off = placing.board.bell(number, placing.chosen.ways[number])
-        for place, radius in enumerate(placing.board.radii[number][::2]):
-            axis = station.axes[place]
-            x = placing.xs[number] + off * (bell == place)
+        webs = placing.board.webs(number, placing.chosen.ways[number])
+        for axis, radius, off in zip(
+            station.axes, placing.board.radii[number][::2], webs, strict=True
+        ):
+            x = placing.xs[number] + off
             low, high = sorted((placing.y(axis, 0.0), placing.y(axis, -radius)))
             for link, wires in lines.items():
                 (left, y), (right, _) = wires.level

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from itertools import pairwise
-from typing import NamedTuple
 
 from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.coaxial.search.state import Bars, OrderStep
@@ -53,13 +52,6 @@ class Upright:
         return [*self.bars, *(bar for pair in pairs for bar in pair if bar is not None)]
 
 
-class Neighbours(NamedTuple):
-    """Two neighbouring bars above or below the row of planets, from the axis outwards."""
-
-    low: Bar
-    high: Bar
-
-
 @dataclass
 class SectionFrame:
     """Bars (links) and uprights (components) of a half-section."""
@@ -73,19 +65,10 @@ class SectionFrame:
         """All bars, sorted by the left ends."""
         return list(dict.fromkeys(bar for up in self.uprights for bar in up.all_bars))
 
-    def neighbours(self) -> Iterator[Neighbours]:
-        """Yield all pairs of neighbouring bars."""
-        pairs = {
-            Neighbours(low, high)
-            for rows in self.rows
-            for row in rows
-            for low, high in pairwise(row)
-        }
-        order = {bar: place for place, bar in enumerate(self.bars)}
-        yield from sorted(
-            (pair for pair in pairs if pair.low in order and pair.high in order),
-            key=lambda pair: (order[pair.low], order[pair.high]),
-        )
+    @property
+    def neighbours(self) -> set[tuple[Bar, Bar]]:
+        """Pairs of neighbouring bars above or below the row of planets, from the axis outwards."""
+        return {pair for rows in self.rows for row in rows for pair in pairwise(row)}
 
 
 def framed(train: CoaxialTrain, steps: Sequence[OrderStep]) -> SectionFrame:
@@ -201,7 +184,7 @@ class _FrameMaker:
             (b - a, a, low, high)
             for a, low in bars
             for b, high in bars[a + 1 :]
-            if {low.link, high.link} == {first_link, second_link} and low is not high
+            if {low.link, high.link} == {first_link, second_link}
         ]
         _, _, low, high = min(ways, key=lambda way: way[:2])
         return [low, high]
@@ -213,8 +196,10 @@ def _with_ends(frame: SectionFrame) -> SectionFrame:
     met = grouped((bar, place) for place, up in uprights for bar in up.all_bars)
     for bar, places in met.items():
         bar.first, bar.last = places[0], places[-1]
-    rows = [tuple([bar for bar in row if bar in met] for row in both) for both in frame.rows]
-    frame.rows = [(below, above) for below, above in rows]
+    frame.rows = [
+        ([bar for bar in below if bar in met], [bar for bar in above if bar in met])
+        for below, above in frame.rows
+    ]
     return frame
 
 

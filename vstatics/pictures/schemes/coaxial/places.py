@@ -86,17 +86,15 @@ class SectionPlaces:
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     """Return the heights of bars, of the axis, and of the housing."""
     places = SectionPlaces(frame, needs.half)
-    signs: dict[frozenset[Bar], float] = {}
-    for up in frame.uprights:
-        if up.kind == "pair":
-            bars_of_sign = frozenset(up.gap)
-            signs[bars_of_sign] = max(
-                signs.get(bars_of_sign, 0.0), needs.signs[up.index], 2 * needs.pitch
-            )
     pinned, pitch = set(_pinned(frame)), needs.pitch
+    signs = grouped(
+        (frozenset(up.gap), max(needs.signs[up.index], 2 * pitch))
+        for up in frame.uprights
+        if up.kind == "pair"
+    )
     rises = grouped(
-        (high, (low, signs.get(frozenset((low, high)), pitch)))
-        for low, high in frame.neighbours()
+        (high, (low, max(signs.get(frozenset((low, high)), [pitch]))))
+        for low, high in frame.neighbours
         if low not in pinned and high not in pinned
     )
     ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}

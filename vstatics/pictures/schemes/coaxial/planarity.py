@@ -7,7 +7,7 @@ a part for each set: around its planets, sun, carrier, ring and carrier follow i
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, pairwise, product
+from itertools import chain, islice, pairwise, product
 from math import prod
 
 from vstatics.core.groups import grouped
@@ -54,8 +54,6 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
         for carrier, sets in by_carrier.items()
         if len(sets) > 1 or len(sets[0][1].wheels) > 1
     }
-    if any(len(sets) ** (len(sets) - 2) > MOST_GRAPHS for sets in apart.values()):
-        apart = {}  # n parts can be joined by n**(n - 2) trees (Cayley's formula)
     ways = _ways(train, apart, left_out)
     if prod(map(len, ways)) > MOST_GRAPHS:
         ways = _ways(train, {}, left_out)
@@ -76,7 +74,7 @@ def _ways(
 
     ways: list[list[list[_Joined]]] = [[[(AXIS, HOUSING_VERTEX)]]]
     ways += [joined(0, [AXIS], ends.get(train.start, [train.start]))]
-    ways += [list(_trees(sets)) for sets in apart.values()]
+    ways += [[*islice(_trees(sets), MOST_GRAPHS + 1)] for sets in apart.values()]
     for sets in apart.values():
         for number, gear_set in sets:
             ways.append([_rim(number, gear_set)])

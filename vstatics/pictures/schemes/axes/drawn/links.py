@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from vstatics.pictures.drawing.canvas import Look, Point
-from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
-from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel
-from vstatics.pictures.schemes.axes.letters.link_names import END_NAME_GAP, ends_of, free_names
-from vstatics.pictures.schemes.axes.letters.obstacles import obstacles
+from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
+from vstatics.pictures.schemes.axes.letters.link_names import END_NAME_GAP, ends_of
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import LinkLines, branches, crossings, link_lines
+from vstatics.pictures.schemes.coaxial.drawn.passing import passed
 from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_arrow
-from vstatics.pictures.schemes.scheme import SchemePort
 
 DOT = 4.2
 """Diameter of the dot where the line of a link branches. [pt]"""
@@ -30,8 +27,7 @@ class AxesSheet(SchemeInk):
     """Canvas of a stick diagram with several axes, in a gear or without a gear."""
 
     placing: AxesPlaces
-    labels: Mapping[int, Sequence[DeviceLabel]]
-    """Names and tooth numbers of each component, with their positions, by its index."""
+    letters: AxesLetters
 
     def is_used(self, index: int, link: int) -> bool:
         """Return True if torque passes between a link and a component.
@@ -52,7 +48,7 @@ class AxesSheet(SchemeInk):
         """Write the name of a component, and the tooth numbers if wanted."""
         sheet = self.of_device(index)
         is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
-        for label in self.labels.get(index, ()):
+        for label in self.letters.labels.get(index, ()):
             look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
             sheet.text(label.at, label.text, color=self.text_color(index), **look)
 
@@ -84,7 +80,17 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
     pen = sheet.of_link(sheet.scheme.name(link), axis + 1)
     title = sheet.titles.links.get(link, "")
     look: Look = {"solid_capstyle": "projecting", "zorder": 3}
-    for line, is_used in pieces(sheet, link, wires.level):
+    runs = [(wires.level, True)]
+    if sheet.state.loaded is not None:
+        met = {
+            (contact.x, wires.level[0][1])
+            for contact in placing.contacts
+            if contact.link == link
+            and sheet.is_used(contact.device, link)
+            and not (contact.kind == "road" and link in sheet.state.idle_links)
+        }
+        runs, _ = passed([wires.level], met)
+    for line, is_used in runs:
         color = style.ink if is_used else style.faint
         pen.line(*line, color=color, kind="wire", title=title, **look)
         if span.level > 0:  # the line of a hollow shaft is repeated below the axis
@@ -121,39 +127,14 @@ def _road_wheel(sheet: AxesSheet, link: int) -> None:
         pen.area(*corners, width=LINE_WIDTH, joinstyle="round", **filled)
 
 
-def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment, bool]]:
-    """Yield the pieces of a horizontal line of a link, each with True if torque passes."""
-    (left, y), (right, _) = line
-    if sheet.state.loaded is None:
-        yield line, True
-        return
-    used = [
-        contact.x
-        for contact in sheet.placing.contacts
-        if contact.link == link
-        and sheet.is_used(contact.device, link)
-        and not (contact.kind == "road" and link in sheet.state.idle_links)
-    ]
-    low, high = (min(used), max(used)) if used else (right, right)
-    for start, end, is_used in ((left, low, False), (low, high, True), (high, right, False)):
-        if end > start:
-            yield ((start, y), (end, y)), is_used
-
-
 def draw_ends(sheet: AxesSheet) -> None:
     """Draw inputs and outputs with the names of the links, and other link names with room."""
     placing = sheet.placing
     for port in sheet.scheme.ports:
-        span = placing.spans[port.link]
-        x, way = (span.right, 1) if port.link in placing.chosen.rightward else (span.left, -1)
-        y = placing.y(placing.axis_of(port.link), placing.port_height(port.link))
-        _draw_port(sheet, port, (x, y), way)
-    for link, at, aligned in free_names(placing, sheet.scheme, [*obstacles(placing)]):
+        x, y, way = placing.end_of(port.link)
+        pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
+        x, y = draw_arrow(pen, (x, y), (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
+        look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}
+        sheet.text((x + way * END_NAME_GAP, y), sheet.scheme.name(port.link), **look)
+    for link, at, aligned in sheet.letters.free:
         sheet.text(at, sheet.scheme.name(link), ha=aligned, color=sheet.name_color(link))
-
-
-def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
-    pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
-    x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
-    look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}
-    sheet.text((x + way * END_NAME_GAP, y), sheet.scheme.name(port.link), **look)

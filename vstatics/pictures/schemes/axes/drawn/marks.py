@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.core.groups import grouped
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import Look, Point
-from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
@@ -17,7 +15,7 @@ from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
 from vstatics.pictures.schemes.coaxial.rooms import ends_of
-from vstatics.pictures.schemes.gear_glyphs import HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.gear_glyphs import ground
 from vstatics.pictures.schemes.ink import SchemeInk
 
 
@@ -86,15 +84,12 @@ def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
     look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
     corner = (x - CAGE, y - CAGE)
     pen.box(corner, (2 * CAGE, 2 * CAGE), width=LINE_WIDTH, title=sheet.said(index), **look)
-    inner, teeth = 5.0, 6.0
-    lines: list[Sequence[Point]] = []
-    for way in (-1, 1):
-        lines += [((x + way * CAGE, y), (x + way * 9, y))]
-        lines += [((x + way * 9, y - teeth), (x + way * 9, y + teeth))]
-        lines += [((x + way * 9, y + up * teeth), (x + way * inner, y + up * 3)) for up in (-1, 1)]
-        lines += [((x, y + way * CAGE), (x, y + way * 9))]
-        lines += [((x - teeth, y + way * 9), (x + teeth, y + way * 9))]
-        lines += [((x + up * teeth, y + way * 9), (x + up * 3, y + way * inner)) for up in (-1, 1)]
+    shaft, cone = [(CAGE, 0), (9, 0)], [(5, -3), (9, -6), (9, 6), (5, 3)]
+    lines = [
+        [(x + dx * out - dy * up, y + dy * out + dx * up) for out, up in line]
+        for dx, dy in ((1, 0), (0, 1), (-1, 0), (0, -1))
+        for line in (shaft, cone)
+    ]
     pen.lines(lines, color=color, zorder=4.5)
     sheet.name(index)
 
@@ -103,23 +98,15 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
     (index,), placing = station.devices, sheet.placing
     glyph = station.glyphs[placing.chosen.ways[number]]
     at, side = placing.in_set(number, glyph), placing.board.rows.sides[station.axes[0]]
-    pen, color = sheet.of_device(index).pen, sheet.color(index)
-    if index in sheet.state.pieces:
-        low, high = sorted(at(*corner) for corner in glyph.wheels)
-        low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
-        pen.lines(hatching(low, high), color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
-    looks: dict[float, list[Sequence[Point]]] = grouped(
+    strokes: list[tuple[float, Sequence[Point]]] = [
         (stroke.width, [at(*point) for point in stroke.points]) for stroke in glyph.strokes
-    )
+    ]
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
-            lines: list[Segment] = [(at(tap.x, tap.y), at(tap.x, end))]
-            lines += ground(at(tap.x, end), tap.side * side)
-            looks.setdefault(LINE_WIDTH, []).extend(lines)
-    for thick, strokes in looks.items():
-        look: Look = {"title": sheet.said(index) if thick != TOOTH else "", "zorder": 4}
-        pen.lines(strokes, color=color, width=thick, solid_capstyle="projecting", **look)
+            lines = [(at(tap.x, tap.y), at(tap.x, end)), *ground(at(tap.x, end), tap.side * side)]
+            strokes += [(LINE_WIDTH, line) for line in lines]
+    sheet.draw_strokes(index, strokes)
     sheet.name(index)
 
 

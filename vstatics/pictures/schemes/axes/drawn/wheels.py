@@ -16,8 +16,6 @@ from vstatics.pictures.schemes.gear_glyphs import MESH, TOOTH
 def draw_pair(sheet: AxesSheet, number: int) -> None:
     """Draw both gears of a pair, an idler or chain between the gears, and the name of the pair."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
-    joint = station.joint
-    assert joint is not None  # noqa: S101 - a gear pair has a joint
     index = station.devices[0]
     device_sheet = sheet.of_device(index)
     first, _, second = placing.board.radii[number]
@@ -25,7 +23,7 @@ def draw_pair(sheet: AxesSheet, number: int) -> None:
     toward = 1 if ys[1] > ys[0] else -1
     for place, radius in enumerate((first, second)):
         _wheel(device_sheet, number, place, radius, toward if not place else -toward)
-    _between(device_sheet, number)
+    _between(device_sheet, number, ys, toward)
     sheet.name(index)
 
 
@@ -44,8 +42,7 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
     y, side, span = placing.y(axis, 0.0), placing.board.rows.sides[axis], placing.spans[link]
     hub = span.height if span.level >= 0 else placing.bases[axis] + 2
     inner = y - side * hub
-    bell, off = placing.board.bell(number, placing.chosen.ways[number])
-    off = off if bell == place else 0.0
+    off = placing.board.webs(number, placing.chosen.ways[number])[place]
     radius += MESH * bool(off)
     lines: list[Sequence[Point]] = [((x + off, inner), (x + off, y - side * radius))]
     if off:  # the web of an internal gear is drawn beside its teeth, so that it passes the pinion
@@ -89,13 +86,11 @@ def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
     sheet.pen.lines(edges, color=color, zorder=3.4, title=said)
 
 
-def _between(sheet: AxesSheet, number: int) -> None:
+def _between(sheet: AxesSheet, number: int, ys: Sequence[float], toward: int) -> None:
     """Draw an idler, a chain, or a dashed line between two gears that are drawn apart."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     pen, color, x = sheet.pen, sheet.color(station.devices[0]), placing.xs[number]
     first, radius, second = placing.board.radii[number]
-    ys = [placing.y(axis, 0.0) for axis in station.axes]
-    toward = 1 if ys[1] > ys[0] else -1
     low, high = sorted((ys[0] + toward * first, ys[1] - toward * second))
     if station.joint is not None and station.joint.kind in FAR:
         ends = ys[0] - toward * first, ys[1] + toward * second

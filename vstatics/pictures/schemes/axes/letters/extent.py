@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel, device_labels
-from vstatics.pictures.schemes.axes.letters.link_names import fixed_names
+from vstatics.pictures.schemes.axes.letters.link_names import fixed_names, free_names
 from vstatics.pictures.schemes.axes.letters.obstacles import Obstacle, Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.scheme import Scheme
@@ -19,6 +19,8 @@ class AxesLetters(NamedTuple):
     """Names of links and components with positions, and the obstacles to avoid."""
 
     names: Sequence[Rectangle]
+    free: Sequence[tuple[int, Point, str]]
+    """Links without input or output, each with the point and the alignment of the name."""
     solid: Sequence[Obstacle]
     labels: Mapping[int, Sequence[DeviceLabel]]
 
@@ -26,8 +28,9 @@ class AxesLetters(NamedTuple):
     def of(cls, placing: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
         """Return all texts; components have names only if the bare diagram fits a width [pt]."""
         solid = list(obstacles(placing))
-        names = fixed_names(placing, scheme, solid)
-        bare = cls(names, solid, {})
+        free = list(free_names(placing, scheme, solid))
+        names = fixed_names(placing, scheme, free)
+        bare = cls(names, free, solid, {})
         low, high = bare.extent(placing)
         if high[0] - low[0] > wide:
             return bare

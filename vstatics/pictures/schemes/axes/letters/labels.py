@@ -22,7 +22,7 @@ LINE = 1.2
 """Ratio of the height of a line of text to the letter size. [-]"""
 CLEAR = 1.5
 """Margin around letters. [pt]"""
-ASIDE = (0, 3, 7, 12, 18, 26, 36)
+ASIDE = (0, 3, -3, 7, -7, 12, -12, -18, 18, -26, 26, 36, -36)
 """Horizontal distances of a text from the named component to try. [pt]"""
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
 """Vertical distances of a text from the named component to try; -1 overlaps the component. [pt]"""
@@ -118,26 +118,29 @@ def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArra
     (x, y), scale = wanted.above, placing.letters
     half = placing.wide(wanted.text, size=wanted.size, bold=wanted.is_name) / 2 + CLEAR
     tall = LINE * wanted.size * scale * (wanted.text.count("\n") + 1)
-    rows: list[tuple[float, float, float, float]] = []
-    dear: list[float] = []
-    for start, way, extra in ((y, wanted.up, 0.0), (wanted.below, -wanted.up, UNDER)):
-        for away in AWAY:
-            base = start + way * away * scale
-            low = base if way > 0 else base - tall
-            for aside in sorted({by * side for by in ASIDE for side in (1, -1)}, key=abs):
-                left = x + aside * scale - half
-                rows.append((left, low, left + 2 * half, low + tall))
-                dear.append(extra + abs(away) + 0.7 * abs(aside))
+    tried = [
+        (
+            x + aside * scale,
+            start + way * away * scale - tall * (way < 0),
+            extra + abs(away) + 0.7 * abs(aside),
+        )
+        for start, way, extra in ((y, wanted.up, 0.0), (wanted.below, -wanted.up, UNDER))
+        for away in AWAY
+        for aside in ASIDE
+    ]
     ends = (y - wanted.up * tall, wanted.below + wanted.up * tall)
     best = (y + wanted.below) / 2 if abs(y - wanted.below) < SHORT else y
     for step in range(BESIDES + 1):
         middle = ends[0] + (ends[1] - ends[0]) * step / BESIDES + wanted.up * tall / 2
-        for off in (0.0, 5.0, 12.0):
-            for way in (1, -1):
-                left = x + way * (wanted.half + off + half) - half
-                rows.append((left, middle - tall / 2, left + 2 * half, middle + tall / 2))
-                dear.append(BESIDE + off + 0.1 * abs(middle - best))
-    return np.array(rows), np.array(dear)
+        cost, low = BESIDE + 0.1 * abs(middle - best), middle - tall / 2
+        tried += [
+            (x + way * (wanted.half + off + half), low, cost + off)
+            for off in (0.0, 5.0, 12.0)
+            for way in (1, -1)
+        ]
+    across, lows, dear = np.array(tried).T
+    lefts = across - half
+    return np.stack([lefts, lows, lefts + 2 * half, lows + tall], axis=1), dear
 
 
 def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:

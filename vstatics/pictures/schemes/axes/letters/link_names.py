@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from vstatics.pictures.drawing.canvas import Point
@@ -35,14 +35,8 @@ def free_names(
     for station in placing.board.stations:
         taken.update(station.layout.places.names if station.layout else ())
     for axis, links in enumerate(placing.board.axes.axes):
-        drawn_links = [link for link in sorted(links) if link in placing.spans]
-        if not drawn_links:
-            continue
-        left, right = ends_of(placing, axis)
-        for link in drawn_links:
-            if link in taken:
-                continue
-            span = placing.spans[link]
+        for link in sorted((links & placing.spans.keys()) - taken):
+            span, (left, right) = placing.spans[link], ends_of(placing, axis)
             y = placing.y(axis, span.height)
             wide, off = placing.wide(scheme.name(link)), 10 + END_NAME_GAP
             if span.left == left and not _covers(placing, solid, (left - off - wide, y), wide):
@@ -96,16 +90,16 @@ def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | Non
     return None
 
 
-def fixed_names(placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) -> list[Rectangle]:
-    """Return the boxes of link names at inputs and outputs, including the arrows."""
+def fixed_names(
+    placing: AxesPlaces, scheme: Scheme, free: Iterable[tuple[int, Point, str]]
+) -> list[Rectangle]:
+    """Return the boxes of link names: at inputs and outputs with the arrows, and the free names."""
     boxes, tall = [], 5.0 * placing.letters
     for port in scheme.ports:
-        span, axis = placing.spans[port.link], placing.axis_of(port.link)
-        y = placing.y(axis, placing.port_height(port.link))
-        start, way = (span.right, 1) if port.link in placing.chosen.rightward else (span.left, -1)
+        start, y, way = placing.end_of(port.link)
         end = start + way * (ARROW + END_NAME_GAP + placing.wide(scheme.name(port.link)))
         boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
-    for link, (x, y), aligned in free_names(placing, scheme, solid):
+    for link, (x, y), aligned in free:
         wide = placing.wide(scheme.name(link))
         left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
         boxes.append(Rectangle(left, y - tall, left + wide, y + tall))

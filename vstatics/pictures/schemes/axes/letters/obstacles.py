@@ -85,10 +85,10 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
     """Yield the obstacles of the webs and teeth of a gear pair, and of an idler or a chain."""
     x, radii = placing.xs[number], placing.board.radii[number]
     middles = [placing.y(end, 0.0) for end in station.axes]
-    bell, off = placing.board.bell(number, placing.chosen.ways[number])
+    webs = placing.board.webs(number, placing.chosen.ways[number])
     kind = station.joint.kind if station.joint is not None else ""
-    for place, (y, radius) in enumerate(zip(middles, radii[::2], strict=True)):
-        web = x + (off if place == bell else 0.0)
+    for y, radius, off in zip(middles, radii[::2], webs, strict=True):
+        web = x + off
         yield Obstacle(about((web, y - radius), (web, y + radius)), ON_LINE)
         for rim in (y - radius, y + radius):
             ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)

@@ -62,8 +62,7 @@ def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float)
         ((at, y + side * (high / 2 - rise)), text.at(bar.link, device))
         for bar, side in ((low, -1), (top, 1))
     ]
-    _outlined(ink, index, ((at - wide / 2, y - high / 2), (at + wide / 2, y + high / 2)))
-    _texts(ink, index, text, (at, y), members, layout.letters)
+    _on_line(ink, index, text, (at, y), (wide, high), 0.0, members, layout.letters)
 
 
 def draw_chain_box(
@@ -72,24 +71,28 @@ def draw_chain_box(
     """Draw a box on a horizontal line between two links."""
     (x, y), device = at, ink.scheme.devices[index]
     wide, high = text.on_line(device, is_level=True)
-    _outlined(ink, index, ((x - wide / 2, y - high / 2), (x + wide / 2, y + high / 2)))
     members = []
     for link, side in zip(links, (-1, 1), strict=True):
         name = text.at(link, device)
         inside = wide / 2 - PAD - width(name) / 2
         members.append(((x + side * inside, y - high / 2 + (LINE + PAD) / 2), name))
-    _texts(ink, index, text, (x, y + LINE / 2), members, 1.0)
+    _on_line(ink, index, text, at, (wide, high), LINE / 2, members, 1.0)
 
 
-def _texts(  # noqa: PLR0913, PLR0917 - texts and their positions
+def _on_line(  # noqa: PLR0913, PLR0917 - texts and their positions
     ink: SchemeInk,
     index: int,
     text: BoxText,
     middle: Point,
+    size: Point,
+    shift: float,
     members: Sequence[Written],
     letters: float,
 ) -> None:
-    (x, y), lines = middle, text.lines.count("\n")
+    """Draw a box on a line between two links, with the texts moved up by `shift` [pt]."""
+    (x, y), (wide, high), lines = middle, size, text.lines.count("\n")
+    _outlined(ink, index, ((x - wide / 2, y - high / 2), (x + wide / 2, y + high / 2)))
+    y += shift
     note = (x, y - letters * LINE * lines / 2), text.note
     _written(ink, index, text.name, (x, y + letters * LINE / 2), [note, *members])
 

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from vstatics.core.groups import grouped
-from vstatics.pictures.drawing.canvas import Look, Point
-from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_box, draw_pair_box
@@ -20,7 +15,7 @@ from vstatics.pictures.schemes.coaxial.rooms import (
     pair_name,
     top_name,
 )
-from vstatics.pictures.schemes.gear_glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
+from vstatics.pictures.schemes.gear_glyphs import ground, teeth
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
 
@@ -44,24 +39,11 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     if isinstance(section, BoxSection):
         draw_box(ink, index, section, at, any(up.left))
         return
-    pen = ink.of_device(index).pen
-    looks: dict[float, list[Sequence[Point]]] = grouped(
-        (stroke.width, [(at + x, y) for x, y in stroke.points])
-        for stroke in planet_strokes(section)
+    strokes = [*planet_strokes(section), *(teeth(tap.x, tap.y) for tap in taps)]
+    ink.draw_strokes(
+        index, ((stroke.width, [(at + x, y) for x, y in stroke.points]) for stroke in strokes)
     )
-    faces = [(at + tap.x, tap.y) for tap in taps]
-    looks.setdefault(TOOTH, []).extend(((x - FACE, y), (x + FACE, y)) for x, y in faces)
-    if index in ink.state.pieces:
-        xs, ys = zip(
-            *(p for strokes in looks.values() for line in strokes for p in line), strict=True
-        )
-        lines = hatching((min(xs), min(ys)), (max(xs), max(ys)))
-        pen.lines(lines, color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
-    look: Look = {"color": ink.color(index), "zorder": 4, "solid_capstyle": "projecting"}
-    for thick, strokes in looks.items():
-        title = ink.said(index) if thick == LINE_WIDTH else ""
-        pen.lines(strokes, width=thick, title=title, **look)
-    look = {"color": ink.text_color(index)}
+    pen, look = ink.of_device(index).pen, {"color": ink.text_color(index)}
     for (x, y), va, text in wheel_texts(section, taps):
         centred(pen, (at + x, y), text, size=SMALL, ha="left", va=va, over=True, **look)
     name = at + middle_of(section), layout.places.axis - SET_NAME

@@ -12,6 +12,7 @@ from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, ends_of, met_by
+from vstatics.pictures.schemes.gear_glyphs import ABOVE, BELOW
 from vstatics.pictures.schemes.sets import axles, wheel_taps
 
 
@@ -113,12 +114,12 @@ def _carrier_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
 def _wheel_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
     section, heights = layout.section(up), layout.places.heights
     taps = {(tap.x, tap.side): tap.y for tap in wheel_taps(section)}
-    for number, (sun, ring) in enumerate(up.wheels):
+    for number, both in enumerate(up.wheels):
         x = section.x(number)
-        if sun is not None:
-            yield sun.link, ((at + x, heights[sun]), (at + x, taps[x, -1]))
-        if ring is not None:
-            yield ring.link, ((at + x, taps[x, 1]), (at + x, heights[ring]))
+        for bar, side in zip(both, (BELOW, ABOVE), strict=True):
+            if bar is not None:
+                low, high = sorted((taps[x, side], heights[bar]))
+                yield bar.link, ((at + x, low), (at + x, high))
 
 
 def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, int, Point]]:
