@@ -46,7 +46,7 @@ from vstatics.simulation.scenario.parts import (
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
-from vstatics.simulation.tolerances import LARGEST_NUMBER, MISSING_MASS
+from vstatics.simulation.tolerances import LARGEST_NUMBER, MISSING_MASS, WHOLE_TURNS
 
 _TRIED_TIMES = 1001
 _FUNCTIONS: Mapping[str | int, Sequence[str]] = {
@@ -117,6 +117,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     yield from left_out(case)
     yield from _elastic_losses(case)
     yield from _kept_ratios(scenario)
+    yield from _single_turns(scenario)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
@@ -156,6 +157,25 @@ def _kept_ratios(scenario: Scenario) -> Iterator[Problem]:
                 text = f"{part.name} keeps the speed ratio {kept:g} of the start gear"
                 message = f"{text}, not {other:g} of gear {shift.to}; give `speed_ratios` over time"
                 yield Problem("N615", message, (*path, "to"))
+
+
+def _single_turns(scenario: Scenario) -> Iterator[Problem]:
+    """Yield a note on torques whose points span whole turns of their link, but do not repeat.
+
+    >>> crank = [(1, Points((0.0, 3.0, 6.283), (0.0, 5.0, 1.0), "angle"))]
+    >>> from vstatics import Gear
+    >>> case = Transmission(2, [], [], [Gear()])
+    >>> scenario = Scenario(case, 9.0, Start(speeds={1: 1.0}), {}, torques=crank)
+    >>> [(problem.id, problem.path) for problem in _single_turns(scenario)]
+    [('N616', ('torques', '1'))]
+    """
+    for link, law in scenario.torques:
+        if isinstance(law, Points) and law.over == "angle":
+            turns = (law.x[-1] - law.x[0]) / (2 * math.pi)
+            if round(turns) and abs(turns - round(turns)) < WHOLE_TURNS:
+                last = f"beyond the last point the torque stays {law.y[-1]:g} N*m"
+                text = f"points over whole turns do not repeat: {last}"
+                yield Problem("N616", text, ("torques", _name(scenario.case, link)))
 
 
 def _elastic_losses(case: Transmission) -> Iterator[Problem]:
