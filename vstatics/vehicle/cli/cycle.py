@@ -229,7 +229,8 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
     yield csv.lines([["variant", time, "status", *others[:first], "gear", *others[first:]]])
     gears = list(map(csv.guarded, driven.gears))
     for block in blocks(len(driven.gears)):
-        times, *numbers = (driven.steps[name][block].tolist() for name in (time, *others))
+        # + 0.0 avoids -0.0
+        times, *numbers = ((driven.steps[name][block] + 0.0).tolist() for name in (time, *others))
         columns = [range(block.start, block.stop), times, repeat("ok"), *numbers[:first]]
         columns += [gears[block], *numbers[first:]]
         yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
