@@ -430,8 +430,9 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
             "N204" if ratio == -1 else "W201",  # -1 is usual for bevel differentials
-            f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so there is "
-            "no planet speed without `planet_ratio`",
+            f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set"
+            f"{', which is negative' * (ratio > 0)}, so there is no planet speed without "
+            "`planet_ratio`",
             path,
         )
 

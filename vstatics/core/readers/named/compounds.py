@@ -58,6 +58,10 @@ _OF_OTHERS = {
         "`drag_area` is the drag coefficient times the frontal area",
     ),
     ("diameter", "wheel_diameter", "tire_diameter"): ("radius", "`radius` is half the diameter"),
+    ("k_factor", "capacity_factor"): (
+        "points",
+        "each of the `points` has a speed ratio, a torque ratio and lambda = 1/K^2",
+    ),
     ("teeth",): ("diameters", "a toothed belt has the kind `chain`"),
     ("traction", "grip", "mu", "drive_axle_weight_frac"): ("rolling", "tyres never slip here"),
     ("rule", "haibach", "k_2", "k2"): (
