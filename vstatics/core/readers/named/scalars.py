@@ -76,11 +76,15 @@ def count(text: str) -> int:
     --------
     >>> count("48"), count("48.0")
     (48, 48)
+    >>> count("-70")  # standards count the teeth of internal gears as negative
+    Traceback (most recent call last):
+    ValueError: expected a whole number from 1 (without a sign, also the teeth of a ring)
     """
     digits, _, decimals = text.partition(".")
     number = None if decimals.strip("0") else link_number(digits)
     if not number:
-        raise ValueError("expected a whole number from 1")
+        sign = " (without a sign, also the teeth of a ring)" * text.startswith(("-", "+"))
+        raise ValueError(f"expected a whole number from 1{sign}")
     return number
 
 
