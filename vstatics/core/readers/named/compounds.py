@@ -63,6 +63,10 @@ _OF_OTHERS = {
         "each of the `points` has a speed ratio, a torque ratio and lambda = 1/K^2",
     ),
     ("teeth",): ("diameters", "a toothed belt has the kind `chain`"),
+    ("grade", "gradient", "incline"): (
+        "slope",
+        "`slope` is the sine of the angle, grade/sqrt(1 + grade^2)",
+    ),
     ("traction", "grip", "mu", "drive_axle_weight_frac"): ("rolling", "tyres never slip here"),
     ("rule", "haibach", "k_2", "k2"): (
         "threshold",
