@@ -45,6 +45,8 @@ _SYNONYMS = {
     **dict.fromkeys(("closed", "applied", "active"), "engaged"),
     **dict.fromkeys(("crr", "rolling_resistance"), "rolling"),
     **dict.fromkeys(("zeta", "damping_ratio"), "ratio"),
+    **dict.fromkeys(("k", "spring_rate", "spring_constant"), "stiffness"),
+    "shafts": "springs",
     "annulus": "ring",
     "band": "brake",
     "dog": "dog_clutch",
