@@ -50,7 +50,13 @@ FAULTS: tuple[tuple[dict[str, Any], str, Any, str, str], ...] = (
     (PAIR, "gears", gear(drag={2: math.nan}), "drag 2", ""),
     (PAIR, "gears", gear(open_drag={2: 0.1}), "open_drag 2", ""),
     (PAIR | {"shift_elements": DOG}, "gears", gear(open_drag={1: 0.1}), "open_drag 1", ""),
-    (PAIR | {"mechanisms": CONVERTER}, "gears", [gear()] * 2, "gears 1", "also missing in gear 2"),
+    (
+        PAIR | {"mechanisms": CONVERTER},
+        "gears",
+        [gear()] * 2,
+        "gears 1",
+        "this also concerns gear 2",
+    ),
     *((PAIR, "cylinders", number, "cylinders", CYLINDERS) for number in (0, 49, 4.5)),
 )
 

@@ -80,15 +80,14 @@ def test_there_is_a_dot_for_each_resonance_of_the_modes(name: str, tmp_path: Pat
     [corner] = {line[0] for line in lines.values()}
     right = lines[min(lines)][-1][0]
     rises = {order: (corner[1] - y) / (x - corner[0]) for order, (_, (x, y)) in lines.items()}
-    for (_, _, order), one in found.items():
-        across = one.at[0] - corner[0]
-        part = float(one.data["rpm"]) / FASTEST[name]
-        assert across == pytest.approx(part * (right - corner[0]), abs=0.02)
+    for key, one in found.items():
+        order, across = key[2], one.at[0] - corner[0]
+        speed = float(one.data["rpm"])
+        assert across == pytest.approx(speed / FASTEST[name] * (right - corner[0]), abs=0.02)
         assert corner[1] - one.at[1] == pytest.approx(across * rises[order], abs=0.05)
         assert rises[order] == pytest.approx(order * rises[1.0], rel=1e-3)
-    for key, one in found.items():
-        told = float(one.data["rpm"]), float(one.data["participation"])
-        assert told == pytest.approx(expected[key], rel=1e-9)
+        of_mode = speed, float(one.data["participation"])
+        assert of_mode == pytest.approx(expected[key], rel=1e-9)
 
 
 @pytest.mark.parametrize("cylinders", [1, 2, 3, 4, 5, 6, 8, 12])
@@ -122,19 +121,21 @@ def test_firing_orders_have_a_colour_and_width_of_their_own() -> None:
     assert colour != other
     assert width != thinner
     bare = marks(drawn(of_frequency(30.0), "campbell"), "order")
-    assert [(float(one.data["order"]), one.data["firing"]) for one in bare] == [
-        (order, "false") for order in ORDERS
-    ]
+    firing = {float(one.data["order"]): one.data["firing"] for one in bare}
+    assert firing == dict.fromkeys(ORDERS, "false")
 
 
 def test_dots_are_larger_where_the_input_takes_part() -> None:
     results = shipped_results("driveline-8hp70.yaml")
     figure = picture(results, "campbell", Style(excited=Excitation(orders=(1.0,))))
-    titled = [(text, one) for text, one in said.titled(figure) if "participation" in text]
-    parts = [float(text.split("participation ")[1].split(",")[0]) for text, _ in titled]
-    sizes = [one.get_markersize() for _, one in titled]
-    assert [size for _, size in sorted(zip(parts, sizes, strict=True))] == sorted(sizes)
-    assert min(sizes) < max(sizes)
+    by_part = sorted(
+        (float(text.split("participation ")[1].split(",")[0]), one.get_markersize())
+        for text, one in said.titled(figure)
+        if "participation" in text
+    )
+    sizes = [size for _, size in by_part]
+    assert sizes == sorted(sizes)
+    assert sizes[0] < sizes[-1]
 
 
 @pytest.mark.parametrize(("loss", "place"), [(0.0, 0), (0.02, 0), (0.1, 1), (0.4, 2)])

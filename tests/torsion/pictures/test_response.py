@@ -38,8 +38,7 @@ def test_lines_are_those_of_the_command(name: str, style: Style, gear: int, at: 
         [found] = json_answer("torsion", *call)["gears"]
         amplitudes = found["orders"][0]["amplitudes"][at]
         expected = dict(zip(found["speeds"], amplitudes, strict=True))
-        told = dict(zip(line.speeds.tolist(), line.amplitudes.tolist(), strict=True))
-        assert [told[n] for n in some] == pytest.approx([expected[n] for n in some], rel=1e-9)
+        assert line.amplitudes[::7] == pytest.approx([expected[n] for n in some], rel=1e-9)
         peaks = {met.speed for met in panel.peaks if met.order == line.order}
         assert {round(one, 6) for one in peaks} <= {round(one, 6) for one in line.speeds}
     assert len(panel.peaks) > 5

@@ -13,6 +13,7 @@ import numpy as np
 
 from vstatics.core.errors import Path, Problem, count_of, percent, quoted, spoken
 from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.part_checks import of_gears
 from vstatics.core.model.parts import RAD_PER_RPM, Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -346,6 +347,7 @@ def without_loads(case: TransmissionFields) -> Iterator[Problem]:
 
 def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
     """Yield errors for gears whose load cannot determine the speed ratios of converters."""
+    without_load: list[tuple[int, str]] = []
     for number, gear in enumerate(case.gears, 1):
         sought = [case.mechanisms[place].name for place in case.sought_converters(gear)]
         load = case.gear_load(gear)
@@ -362,7 +364,8 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
                 f"the gear has no {'speed' if load.speed is None else 'torque'}: expected {_BOTH}, "
                 "or the speed ratio under `speed_ratios`"
             )
-            yield Problem("E267", message, ("gears", number))
+            without_load.append((number, message))
+    yield from of_gears(case, "E267", without_load)
 
 
 def with_load(case: ACase, load: Load) -> ACase:

@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Path, Problem, count_of, percent, spoken
+from vstatics.core.errors import Path, Problem, count_of, percent, plural, spoken
+from vstatics.core.groups import grouped
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -359,19 +360,41 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                 "give it in this gear under `speed_ratios`, or in the mechanism for all gears"
             )
             message += ", or lambda in its points" * (mechanism.kind == "converter")
-            places = [
-                place
+            lacking = (
+                (place, message)
                 for place, gear in enumerate(case.gears, 1)
                 if not (
                     number in gear.speed_ratios
                     or number in gear.open
                     or _is_bypassed(case, gear, number)
                 )
-            ]
-            if others := [case.gears[place - 1].name or str(place) for place in places[1:]]:
-                message += f"; it is also missing in gear {spoken(others)}"
-            if places:
-                yield Problem("E277", message, ("gears", places[0]))
+            )
+            yield from of_gears(case, "E277", lacking)
+
+
+def of_gears(
+    case: TransmissionFields, identity: str, messages: Iterable[tuple[int, str]]
+) -> Iterator[Problem]:
+    """Yield a problem for each different message, at the first of its gears.
+
+    Parameters
+    ----------
+    messages : iterable of tuple
+        Pairs of the number of a gear and a message.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Transmission
+    >>> case = Transmission(2, [], [], [Gear(), Gear(), Gear(name="R")])
+    >>> for problem in of_gears(case, "E277", [(1, "no ratio"), (2, "no ratio"), (3, "no ratio")]):
+    ...     print(problem)
+    gears[1]: no ratio; this also concerns gears 2 and R [E277]
+    """
+    by_text = grouped((message, number) for number, message in messages)
+    for message, (first, *others) in by_text.items():
+        names = [case.gears[number - 1].name or str(number) for number in others]
+        more = f"; this also concerns {plural('gear', len(names))} {spoken(names)}" if names else ""
+        yield Problem(identity, message + more, ("gears", first))
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
