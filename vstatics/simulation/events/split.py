@@ -16,8 +16,10 @@ _MOST_TORQUE_CORNERS = 3000
 """Number of candidate splits up to which all are enumerated, instead of linear programming."""
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
-KnownLimits: TypeAlias = dict[tuple[int, bytes], list[tuple[Integers, Floats]]]
-"""Limits with equal slacks in a best split, and matrix from slacks to this split, by directions.
+_MOST_STEPS = 30
+"""Largest number of steps from the best split of other slacks; it is usually 0 to 3."""
+KnownLimits: TypeAlias = dict[tuple[int, bytes], tuple[Integers, Floats]]
+"""Limits with equal slacks in the latest best split, and their inverse matrix, by directions.
 
 Several splits can be best. Each run has its own limits, so no result depends on other runs.
 """
@@ -127,23 +129,30 @@ def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Fl
     """Return the split with the largest smallest slack, by linear programming.
 
     With d directions, usually d + 1 slacks are equal in the best split. Whether the weights of
-    these limits are positive depends on the directions alone, so other slacks often have the same
-    limits.
+    these limits are positive depends on the directions alone, so the best split of other slacks is
+    a few steps of the dual simplex method away.
     """
     scale = largest(slack) or 1.0
-    corners = known.setdefault((directions.shape[1], directions.tobytes()), [])
-    for rows, to_split in corners:
-        split: Floats = to_split @ slack[rows]
-        slacks = slack + directions @ split
-        if slacks.min() >= slacks[rows].max() - SAME_ROOM * scale:
-            return split
-    from scipy.optimize import linprog
-
     count = directions.shape[1]
-    goal = np.zeros(count + 1)
-    goal[-1] = -1.0
     steep = largest(directions) or 1.0
     limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
+    key = count, directions.tobytes()
+    for _ in range(_MOST_STEPS if key in known else 0):
+        rows, inverse = known[key]
+        split: Floats = inverse[:count] @ slack[rows] / steep
+        slacks = slack + directions @ split
+        worst = int(slacks.argmin())
+        if slacks[worst] >= slacks[rows].max() - SAME_ROOM * scale:
+            return split
+        shares = limits[worst] @ inverse
+        weights = np.maximum(inverse[-1], 0.0) / np.maximum(shares, REGULAR_CORNER)
+        rows = rows.copy()
+        rows[np.where(shares > REGULAR_CORNER, weights, np.inf).argmin()] = worst
+        known[key] = rows, np.linalg.inv(limits[rows])
+    from scipy.optimize import linprog
+
+    goal = np.zeros(count + 1)
+    goal[-1] = -1.0
     bounds = [(None, None)] * count + [(None, _MOST_ROOM)]
     solution = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
     if not solution.success or solution.x is None:
@@ -157,7 +166,7 @@ def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Fl
         if np.linalg.matrix_rank(limits[more], tol=REGULAR_CORNER) == len(more):
             rows = more
     if len(rows) > count and solution.x[-1] < _MOST_ROOM:
-        corners.append((rows, np.linalg.inv(limits[rows])[:count] / steep))
+        known[key] = rows, np.linalg.inv(limits[rows])
     return split
 
 

@@ -349,7 +349,10 @@ class Equations:
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Return the integrands of works and losses at several times [W]."""
-        rates, torques = self.acting_at(times, states)
+        return self._powered(times, states, *self.acting_at(times, states))[self.works.start :]
+
+    def _powered(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
+        """Return derivatives of states at several times, filled in only for twists and works."""
         slopes = None
         if not self.ports.is_below_limits:
             within = self.within if self.limited.any() else None
@@ -360,7 +363,7 @@ class Equations:
         change = np.zeros((self.size, len(times)))
         light = self._light_at(times, states) if self.light and self.structure.loses else _NONE
         self._fill_powers(change, states, torques, (rates, light), slopes)
-        return change[self.works.start :]
+        return change
 
     def _fill_powers(
         self,
@@ -506,10 +509,11 @@ class Equations:
         self, times: Floats, states: Floats, rates: Floats, torques: Floats
     ) -> Floats:
         """Return the rates of control states and temperatures, shape (values, times)."""
+        changes = self.changes.along(times, self.seen_at(times, states, rates, torques))
         if self.layout.hot:
-            at = zip(times.tolist(), states.T, strict=True)
-            return np.array([self.derivative(*columns_at)[self.values] for columns_at in at]).T
-        return self.changes.along(times, self.seen_at(times, states, rates, torques))
+            changes = np.vstack([changes, np.zeros((len(self.layout.hot), len(times)))])
+            self.changes.warm(changes, states, self._powered(times, states, rates, torques))
+        return changes
 
     @cached_property
     def by_planets(self) -> Floats:
