@@ -70,8 +70,7 @@ class ConverterSteps(NamedTuple):
 
     def _search(self, carried: Carried, points: Sequence[float] = ()) -> EngineSearch:
         """Search for engine speeds; the slope of the torque changes at `points` [rad/s]."""
-        full = self.vehicle.full_load
-        first = full[0][0] if full else 0.0
+        first = self.vehicle.first_speed
         speeds = [first, *(point for point in points if point > first), FASTEST_OF_SEARCH]
         with np.errstate(divide="ignore"):
             inverse = 1 / np.array(speeds)
