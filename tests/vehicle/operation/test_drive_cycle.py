@@ -265,7 +265,7 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
     named = trace((0, 4, "1"), (2, 8, "1"))
-    twice = [(GearChoice(least, shifts), text), (GearChoice(least, (), True), text)]
+    twice = [(GearChoice(least, shifts), text), (GearChoice(least, shifts, True), text)]
     twice += [(GearChoice(least), named), (GearChoice(shifts=shifts), named)]
     for choice, given in twice:
         with pytest.raises(CaseError, match=r"and --\S+ give the gears, expected one of them"):

@@ -142,6 +142,11 @@ class Vehicle(NamedTuple):
         return self.machine.torque if self.machine else self.engine
 
     @property
+    def first_speed(self) -> float:
+        """Engine speed of the first full-load point [rad/s]; 0 without full load."""
+        return self.full_load[0][0] if self.full_load else 0.0
+
+    @property
     def braking(self) -> EnginePoints:
         """Points of the largest braking torque of engine or electric machine [rad/s, N*m]."""
         return self.machine.braking if self.machine else self.overrun

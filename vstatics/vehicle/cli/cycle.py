@@ -64,13 +64,9 @@ def _choice(
 ) -> GearChoice:
     from vstatics.vehicle.operation.gear_choice import GearChoice
 
-    given = {
-        "--least-speed": least_speed is not None,
-        "--shift": shifts is not None,
-        "--strategy": strategy is not None,
-    }
-    if len(several := [name for name, is_given in given.items() if is_given]) > 1:
-        raise click.UsageError(f"{' and '.join(several)} exclude one another")
+    if shifts is not None and (strategy is not None or least_speed is not None):
+        other = "--least-speed" if strategy is None else "--strategy"
+        raise click.UsageError(f"{other} and --shift exclude one another")
     return GearChoice(least_speed, shifts or (), least_loss=strategy is not None)
 
 
@@ -101,7 +97,8 @@ def _choice(
         "--strategy",
         type=click.Choice(["least-loss"]),
         help="Engage in each time step the gear in which engine or battery supplies the least "
-        "energy, or absorbs the most when braking, within full load.",
+        "energy, or absorbs the most when braking, within full load. The engine has at least "
+        "--least-speed (default: its first point), if a gear allows it.",
     ),
 )
 @under(

@@ -34,6 +34,11 @@ INTERVALS = 2
 """Number of intervals between neighbouring points that are searched for sign changes."""
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
+APPROACHES = (1e-3, 1e-3, 1e-4, -1.0)
+"""Distances of trial torques from the predicted torque at which a freewheel opens.
+
+They are relative to the distance of the last torque with a solution; the last trial lies beyond.
+"""
 MOST_DOUBLINGS = 40
 """Largest number of times that a trial torque or force is doubled, to bracket a root."""
 MOST_POINTS_AT_ONCE = 100_000
@@ -43,8 +48,13 @@ SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
 FASTEST_OF_SEARCH = 1e7
 """Largest engine speed of the search. [rad/s]"""
 
-Brought = Callable[[Integers, Floats], Floats]
-"""Torques on the pump [N*m], as a function of row indices and engine speeds or torques."""
+Carried = Callable[[Integers, Floats], Floats]
+"""Torques of all devices, shape (rows, devices) [N*m].
+
+The arguments are row indices, and engine speeds or torques.
+"""
+Surplus = Callable[[Integers, Floats], Floats]
+"""Function of row indices and trials, whose roots are sought."""
 
 Limits = tuple[float, float, float]
 """Largest speed ratio [-], and smallest and largest inverse engine speed [s/rad]."""
@@ -274,7 +284,7 @@ class ConverterGear(NamedTuple):
     ) -> Booleans:
         """Return True where a freewheel connects pump and turbine, so the converter has no torque.
 
-        Parameters are as in `brought`. Where the converter drives, the freewheel overruns at every
+        Parameters are as in `torques`. Where the converter drives, the freewheel overruns at every
         speed ratio below 1.
         """
         if not case.freewheels or not len(load[0]):
@@ -286,14 +296,14 @@ class ConverterGear(NamedTuple):
         bypassed: Booleans = np.isnan(results.speed_ratio[:, 0, number]) & results.consistent[:, 0]
         return bypassed
 
-    def brought(
+    def torques(
         self,
         case: Transmission,
         load: tuple[Floats, Floats],
         ratios: Floats,
         further: Mapping[str, Floats],
     ) -> Floats:
-        """Return the torque that the gearbox supplies to the pump, with all losses [N*m].
+        """Return the torques of all devices with losses, shape (rows, devices) [N*m].
 
         Parameters
         ----------
@@ -307,13 +317,13 @@ class ConverterGear(NamedTuple):
             Values of other numbers, by path.
         """
         if not len(ratios):
-            return np.zeros(0)
+            return np.zeros((0, self.row + 1))
         vary = {"load.speed": load[0], "load.torque": load[1], self.path: ratios}
-        torques: Floats = solve(case, vary={**vary, **further}).lossy_torques_Nm[:, 0, self.row]
+        torques: Floats = solve(case, vary={**vary, **further}).lossy_torques_Nm[:, 0]
         return torques
 
     def search(
-        self, inverse: Floats, limits: Limits, output: Floats, brought: Brought
+        self, inverse: Floats, limits: Limits, output: Floats, carried: Carried
     ) -> EngineSearch:
         """Search for engine speeds at which the pump takes the supplied torque.
 
@@ -325,15 +335,15 @@ class ConverterGear(NamedTuple):
             Largest speed ratio [-], smallest and largest inverse engine speed [s/rad].
         output : ndarray, shape (rows,)
             Magnitudes of output speeds. [rad/s]
-        brought : callable
-            Function of row indices and engine speeds that returns the torques supplied to the pump.
+        carried : callable
+            Function of row indices and engine speeds that returns `torques`.
         """
         count = max(1, MOST_POINTS_AT_ONCE // (INTERVALS * (len(inverse) + len(self.points) + 1)))
         parts = []
         for start in range(0, max(len(output), 1), count):
             rows = np.arange(start, min(start + count, len(output)))
             places = self._places(inverse, limits, output[rows])
-            parts.append(self._searched(rows, places, output[rows], brought))
+            parts.append(self._searched(rows, places, output[rows], carried))
         return EngineSearch(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
     def _places(self, inverse: Floats, limits: Limits, output: Floats) -> Floats:
@@ -360,7 +370,7 @@ class ConverterGear(NamedTuple):
         return np.concatenate([between.reshape(len(output), -1), places[:, -1:]], axis=1)
 
     def _searched(
-        self, rows: Integers, places: Floats, output: Floats, brought: Brought
+        self, rows: Integers, places: Floats, output: Floats, carried: Carried
     ) -> EngineSearch:
         """Search for engine speeds in some rows; rows whose `places` are all NaN give NaN."""
         known = np.isfinite(places)
@@ -369,7 +379,7 @@ class ConverterGear(NamedTuple):
         def surplus(at: Integers, inverse: Floats) -> Floats:
             engine = 1 / inverse
             taken, direction = self.taken(engine, output[at])
-            return direction * (brought(rows[at], engine) - taken) * inverse**2
+            return direction * (carried(rows[at], engine)[:, self.row] - taken) * inverse**2
 
         values = np.full(places.shape, np.nan)
         values[at, columns] = surplus(at, places[at, columns])
@@ -393,16 +403,15 @@ class ConverterGear(NamedTuple):
             1 / np.take_along_axis(places, of_ends, axis=1),
         )
 
-    def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
+    def torque_at(self, engine: Floats, output: Floats, carried: Carried) -> Floats:
         """Return engine torques [N*m] that supply the torque of the pump; NaN without a solution.
 
         Parameters
         ----------
         engine, output : ndarray, shape (rows,)
             Engine speeds, and magnitudes of output speeds. [rad/s]
-        brought : callable
-            Function of row indices and engine torques that returns the torques supplied to the
-            pump.
+        carried : callable
+            Function of row indices and engine torques that returns `torques`.
         """
         taken, direction = self.taken(engine, output)
         everywhere = np.arange(len(engine))
@@ -410,7 +419,7 @@ class ConverterGear(NamedTuple):
         def surplus(at: Integers, torque: Floats) -> Floats:
             # The torque is NaN where the converter would deliver more power than it receives. Count
             # this as too little torque on the pump or, when coasting, too little braking torque.
-            left = direction[at] * (brought(at, torque) - taken[at])
+            left = direction[at] * (carried(at, torque)[:, self.row] - taken[at])
             return np.where(np.isnan(left), -gained[at], left)
 
         gained = np.where(direction * taken < 0, -1, 1) * (np.abs(taken) + 1)
@@ -428,15 +437,58 @@ class ConverterGear(NamedTuple):
             at_end[wide] = surplus(wide, end[wide])
         has_root: Booleans = at_end * at_start <= 0
         torques = np.full(len(engine), np.nan)
-        rows = np.flatnonzero(has_root)
+        lacks = at_start == -gained
+        rows = np.flatnonzero(has_root & (lacks | (at_end == -gained)))
+        ends = np.where(lacks, (start, end), (end, start))[:, rows]
+        torques[rows] = self._opening(lambda part, x: carried(rows[part], x), *ends)
+        rows = rows[np.isfinite(torques[rows])]
+        passed = surplus(rows, torques[rows]) * np.where(lacks, at_end, at_start)[rows] < 0
+        torques[rows[passed]] = np.nan
+        rows = np.flatnonzero(has_root & np.isnan(torques))
         torques[rows] = illinois_root(
             lambda part, x: surplus(rows[part], x),
             (start[rows], end[rows]),
             (at_start[rows], at_end[rows]),
         )
-        lacking = rows[np.isnan(brought(rows, torques[rows]))]
+        lacking = rows[np.isnan(carried(rows, torques[rows])[:, self.row])]
         torques[lacking] += np.sign(gained[lacking]) * LEAST_EXCESS * (1 + np.abs(torques[lacking]))
         return torques
+
+    def _opening(self, carried: Carried, lacking: Floats, solved: Floats) -> Floats:
+        """Return engine torques [N*m] just before a freewheel opens; NaN where none is found.
+
+        The torque of a freewheel is nearly linear in the engine torque, so a secant predicts where
+        it is 0. Beyond this engine torque the gear has no torques.
+
+        Parameters
+        ----------
+        carried : callable
+            As in `torque_at`.
+        lacking, solved : ndarray, shape (rows,)
+            Engine torques without and with a solution. [N*m]
+        """
+        everywhere, freewheels = np.arange(len(solved)), np.array(self.case.freewheels, int) - 1
+        if not len(solved) or not freewheels.size:
+            return np.full(len(solved), np.nan)
+        before = solved + (solved - lacking)
+        at_before, at_solved = (carried(everywhere, x) for x in (before, solved))
+        for part in APPROACHES:
+            with np.errstate(all="ignore"):
+                change = (at_solved - at_before)[:, freewheels] / (solved - before)[:, None]
+                zeros = solved[:, None] - at_solved[:, freewheels] / change
+            inside = (zeros - lacking[:, None]) * (zeros - solved[:, None]) < 0
+            nearest = np.where(inside, np.abs(zeros - solved[:, None]), np.inf).argmin(axis=1)
+            zero = np.where(inside.any(axis=1), zeros[everywhere, nearest], (lacking + solved) / 2)
+            trial = zero + part * (solved - zero)
+            at_trial = carried(everywhere, trial)
+            fits = np.isfinite(at_trial[:, self.row])
+            lacking = np.where(fits, lacking, trial)
+            before, solved = np.where(fits, (solved, trial), (before, solved))
+            at_before, at_solved = np.where(
+                fits[:, None], (at_solved, at_trial), (at_before, at_solved)
+            )
+        is_near = np.abs(solved - lacking) <= LEAST_EXCESS * (1 + np.abs(solved))
+        return np.where(is_near, solved, np.nan)
 
 
 def _usable(case: Transmission, gear: Gear, place: int) -> Floats:
@@ -465,7 +517,7 @@ def _with_searched(points: Floats, free: float) -> Floats:
     return _interpolated(points, ratios)
 
 
-def _first_roots(places: Floats, values: Floats, surplus: Brought) -> Floats:
+def _first_roots(places: Floats, values: Floats, surplus: Surplus) -> Floats:
     """Return the root at the first sign change in each row of places, NaN without a change."""
     signs = np.sign(values)
     changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
@@ -484,7 +536,7 @@ def _first_roots(places: Floats, values: Floats, surplus: Brought) -> Floats:
 
 
 def illinois_root(
-    function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
+    function: Surplus, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
 ) -> Floats:
     """Return roots of a function between `ends`, where its values have opposite signs.
 

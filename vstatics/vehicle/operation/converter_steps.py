@@ -21,7 +21,7 @@ from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.converter import (
     FASTEST_OF_SEARCH,
-    Brought,
+    Carried,
     ConverterGear,
     EngineSearch,
     relative_slips,
@@ -49,13 +49,13 @@ class ConverterSteps(NamedTuple):
     def _output(self) -> Floats:
         return np.abs(self.load[0])
 
-    def _brought(
+    def _torques(
         self, place: int, rows: Integers, load: tuple[Floats, Floats], engine: Floats
     ) -> Floats:
-        """Return torques on the pump [N*m] in the case `cases[place]`, at engine speeds."""
+        """Return torques of devices [N*m] in the case `cases[place]`, at engine speeds [rad/s]."""
         ratios = self.converter.ratio(engine, self._output[rows])
         further = self._further(place, rows, engine)
-        return self.converter.brought(self.cases[place], load, ratios, further)
+        return self.converter.torques(self.cases[place], load, ratios, further)
 
     def _further(self, place: int, rows: Integers, engine: Floats) -> dict[str, Floats]:
         """Return other numbers of the case `cases[place]` at engine speeds [rad/s], by path."""
@@ -66,17 +66,16 @@ class ConverterSteps(NamedTuple):
         return further
 
     def _from_engine(self, rows: Integers, engine: Floats, torque: Floats) -> Floats:
-        return self._brought(0, rows, (engine, torque), engine)
+        return self._torques(0, rows, (engine, torque), engine)
 
-    def _search(self, brought: Brought, points: Sequence[float] = ()) -> EngineSearch:
+    def _search(self, carried: Carried, points: Sequence[float] = ()) -> EngineSearch:
         """Search for engine speeds; the slope of the torque changes at `points` [rad/s]."""
-        full = self.vehicle.full_load
-        first = full[0][0] if full else 0.0
+        first = self.vehicle.first_speed
         speeds = [first, *(point for point in points if point > first), FASTEST_OF_SEARCH]
         with np.errstate(divide="ignore"):
             inverse = 1 / np.array(speeds)
         limits = float(self.converter.points[-1, 0]), 1 / FASTEST_OF_SEARCH, float(inverse[0])
-        return self.converter.search(inverse, limits, self._output, brought)
+        return self.converter.search(inverse, limits, self._output, carried)
 
     def from_wheels(self) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s] and torques [N*m] for the wheel forces of the steps.
@@ -95,7 +94,7 @@ class ConverterSteps(NamedTuple):
     def _search_of_wheels(self, torques: Floats) -> EngineSearch:
         speeds, _ = self.load
         return self._search(
-            lambda rows, engine: self._brought(1, rows, (speeds[rows], torques[rows]), engine)
+            lambda rows, engine: self._torques(1, rows, (speeds[rows], torques[rows]), engine)
         )
 
     def _torques_at(self, rows: Integers, engine: Floats) -> Floats:
@@ -116,7 +115,8 @@ class ConverterSteps(NamedTuple):
         smaller. It follows from the wheel force at which the freewheel carries no torque.
         """
         taken, direction = self.converter.taken(engine, self._output[rows])
-        excess = direction * (self._from_engine(rows, engine, torques) - taken)
+        brought = self._from_engine(rows, engine, torques)[:, self.converter.row]
+        excess = direction * (brought - taken)
         part = np.flatnonzero(excess > SAME_ENGINE_TORQUE)
         rows, engine, torques = rows[part], engine[part], torques[part]
         if not rows.size:
@@ -127,7 +127,8 @@ class ConverterSteps(NamedTuple):
         least = self.load[1].copy()
         least[rows] = -driven.lossy_output_torque_Nm[:, 0]
         speeds = self._search_of_wheels(least).engine[rows]
-        return rows, np.where(np.isnan(speeds), engine, speeds)
+        solved = np.isfinite(speeds)
+        return rows[solved], speeds[solved]
 
     def at_overrun(self) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s] and torques [N*m] if the engine brakes by overrun torque.

@@ -47,6 +47,7 @@ from vstatics.vehicle.tolerances import (
     SAME_DRAG_TORQUE,
     SAME_ENGINE_TORQUE,
     SAME_GEAR_POWER,
+    SAME_SPEED,
 )
 
 ENLARGEMENT = 16
@@ -129,6 +130,8 @@ class CycleSteps(NamedTuple):
         CaseError
             If a gear is not in the case.
         """
+        if choice.least_loss and choice.least_speed is None:
+            choice = choice._replace(least_speed=vehicle.first_speed)
         converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
         case = bare(case)
         results, added = solved_slips(case)
@@ -161,7 +164,7 @@ class CycleSteps(NamedTuple):
             )
             raise CaseError("E428", message, (row,))
         names = [gear.name for gear in case.gears]
-        ways = directions(driving, names) if choice.slowest is not None else []
+        ways = directions(driving, names) if choice.least_speed is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
         steps = cls(
             *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed),
@@ -169,34 +172,35 @@ class CycleSteps(NamedTuple):
             np.zeros(len(gears)),
             opening,
         )
-        if not choice.least_loss:
+        if not choice.least_loss or choice.least_speed is None:
             return steps
-        return steps._in_gears(steps._of_least_loss(next(iter(ways), [])))
+        return steps._in_gears(steps._of_least_loss(next(iter(ways), []), choice.least_speed))
 
     def _in_gears(self, gears: Integers) -> CycleSteps:
         return self._replace(gears=gears, engine_speeds=self.engine.of(gears))
 
-    def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
+    def _of_least_loss(self, ahead: Sequence[int], least: float) -> Integers:
         """Return the forward gear of each step that needs the least power of engine or battery.
 
-        Gears that exceed full load or the last engine speed are left out. A step without a
-        remaining gear keeps its present gear. Among gears with equal powers, the gear with the
-        smallest ratio is chosen.
+        Gears that exceed full load or the last engine speed, or in which the engine turns slower
+        than `least` [rad/s], are left out. A step without a remaining gear keeps its present gear.
+        Among gears with equal powers, the gear with the smallest ratio is chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
         at_wheels = np.abs(self.forces * self.trace.speed)
         for gear in sorted(ahead, key=lambda gear: float(self.engine.ratios[gear])):
             steps = self._in_gears(np.full(len(self.gears), gear))
-            rows, powers = steps.powers_of(moving)
+            rows, powers = steps.powers_of(moving, least)
             better = powers < best[rows] - SAME_GEAR_POWER * (np.abs(powers) + at_wheels[rows])
             best[rows[better]], gears[rows[better]] = powers[better], gear
         return gears
 
-    def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
+    def powers_of(self, rows: Integers, least: float) -> tuple[Integers, Floats]:
         """Return the steps among `rows` within full load, and the powers of engine or battery [W].
 
-        Steps without torques or beyond the last engine speed are left out, too.
+        Steps without torques, beyond the last engine speed, or with an engine speed below `least`
+        [rad/s] are left out, too.
         """
         speeds = self.engine_speeds[rows]
         rows = rows[self.vehicle.may_turn(speeds) & (speeds > 0)]
@@ -214,6 +218,7 @@ class CycleSteps(NamedTuple):
                 rows = others
         full = self.vehicle.full_torque(turning) if self.vehicle.full_load else np.inf
         within = (torques <= full + SAME_ENGINE_TORQUE) & self.vehicle.may_turn(turning)
+        within &= turning >= least * (1 - SAME_SPEED)
         rows, torques, turning = rows[within], torques[within], turning[within]
         powers = torques * turning
         if self.vehicle.machine is not None:

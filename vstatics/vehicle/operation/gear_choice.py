@@ -33,12 +33,10 @@ class GearChoice(NamedTuple):
     """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
     least_loss: bool = False
-    """True if each step has the gear that needs the least energy of engine or battery."""
+    """True if each step has the gear that needs the least energy of engine or battery.
 
-    @property
-    def slowest(self) -> float | None:
-        """Least engine speed [rad/s]; 0 with `least_loss`, for steps beyond full load."""
-        return 0.0 if self.least_loss else self.least_speed
+    Without `least_speed`, the engine turns at its first full-load point or faster.
+    """
 
 
 def chosen_gears(
@@ -60,15 +58,14 @@ def chosen_gears(
     ways = {
         "the column `gear`": bool(trace.gears),
         "--shift": bool(choice.shifts),
-        "--least-speed": choice.least_speed is not None,
-        "--strategy": choice.least_loss,
+        "--strategy" if choice.least_loss else "--least-speed": choice.least_speed is not None,
     }
     if len(means := [name for name, given in ways.items() if given]) > 1:
         message = f"{spoken(means)} give the gears, expected one of them"
         raise CaseError("E426", message, place=trace.place)
-    if choice.slowest is not None:
+    if choice.least_speed is not None:
         ahead = next(iter(directions(ratios, names)), [])
-        return by_least_speed(engine, choice.slowest, ahead)
+        return by_least_speed(engine, choice.least_speed, ahead)
     if choice.shifts:
         try:
             return by_shift_speeds(case, choice.shifts, trace.speed, engine, ratios)

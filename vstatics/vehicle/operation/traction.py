@@ -230,16 +230,16 @@ class Traction:
         """Return engine speeds [rad/s] and torques [N*m] at full load, NaN without a solution."""
         vehicle, case, last = self.vehicle, converter.case, self.last
 
-        def brought(rows: Integers, engine: Floats, torque: Floats) -> Floats:
+        def carried(rows: Integers, engine: Floats, torque: Floats) -> Floats:
             ratios = converter.ratio(engine, output[rows])
-            return converter.brought(case, (engine, torque), ratios, {})
+            return converter.torques(case, (engine, torque), ratios, {})
 
         points = [speed for speed, _ in vehicle.full_load if speed > 0]
         search = converter.search(
             1 / np.array([*points, *last * SLOWEST_PART]),
             (converter.free_ratio, 1 / last, math.inf),
             output,
-            lambda rows, engine: brought(rows, engine, vehicle.full_torque(engine)),
+            lambda rows, engine: carried(rows, engine, vehicle.full_torque(engine)),
         )
         engine = search.engine
         if converter.stops:
@@ -253,7 +253,7 @@ class Traction:
         torque[fast] = converter.torque_at(
             engine[fast],
             output[fast],
-            lambda rows, part: brought(fast[rows], engine[fast[rows]], part),
+            lambda rows, part: carried(fast[rows], engine[fast[rows]], part),
         )
         return engine, torque
 
