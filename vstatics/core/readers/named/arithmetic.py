@@ -98,9 +98,18 @@ def dimensionless(text: str) -> float:
     --------
     >>> [dimensionless(text) for text in ("98 %", "3.55:1", "5:2", "1 + 78/30")]
     [0.98, 3.55, 2.5, 3.6]
+    >>> dimensionless("(100 - 3) %"), dimensionless("-2*5%")
+    (0.97, -0.1)
+    >>> dimensionless("1 - 0.5%")
+    Traceback (most recent call last):
+    ValueError: expected brackets around a sum in percent, such as (100 - 3) %
     """
     value, behind = calculated(text)
     if behind == "%":
+        product = _Calculation(with_plain_blanks(text).strip(" "))
+        product.joined(1, 0)
+        if product.text[product.at :] != behind:  # 1 - 3 % can mean 0.97 or -0.02
+            raise ValueError("expected brackets around a sum in percent, such as (100 - 3) %")
         return value / 100
     if behind.startswith(":"):
         divisor, behind = calculated(behind[1:])

@@ -33,6 +33,7 @@ NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
 """Pattern of a key that results from a decimal comma in braces: `5 rpm` of `{speed: 2000,5 rpm}`.
 """
+_BARE = re.compile(r"[-+]?[0-9.]+", re.ASCII)
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
@@ -250,10 +251,15 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 
 
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """Read a list of items, or a single item as a list."""
+    """Read a list of items, or a single item as a list.
+
+    Bare numbers, such as `[0, 0, 1, 100]`, are points without inner brackets, not a sum of items.
+    """
     node = spot.node
     if not isinstance(node, Listing) or all(
-        isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)
+        all(isinstance(item, Scalar) for item in row.items)
+        if isinstance(row, Listing)
+        else isinstance(row, Scalar) and len(node.items) > 1 and _BARE.fullmatch(row.text)
         for row in node.items
     ):
         return [walk.read(spot, shape.item)]
