@@ -10,7 +10,8 @@ from functools import cached_property
 from itertools import chain
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeVar, runtime_checkable
 
-from vstatics.core.errors import Problem, listed, typed_number
+from vstatics.core.errors import Problem, listed, plural, spoken, typed_number
+from vstatics.core.groups import grouped
 from vstatics.core.model.parts import (
     NO_LOAD,
     Direction,
@@ -519,6 +520,32 @@ class TransmissionFields:
         return bool(self.laws) or any(
             gear.balance is not None or self.sought_converters(gear) for gear in self.gears
         )
+
+    def problems_of_gears(
+        self, identity: str, messages: Iterable[tuple[int, str]]
+    ) -> Iterator[Problem]:
+        """Yield a problem for each different message, at the first of its gears.
+
+        Parameters
+        ----------
+        identity : str
+            Id of the problems.
+        messages : iterable of tuple
+            Pairs of the number of a gear and a message.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Transmission
+        >>> case = Transmission(2, [], [], [Gear(), Gear(), Gear(name="R")])
+        >>> for problem in case.problems_of_gears("E277", [(1, "none"), (2, "none"), (3, "none")]):
+        ...     print(problem)
+        gears[1]: none; this also concerns gears 2 and R [E277]
+        """
+        by_text = grouped((message, number) for number, message in messages)
+        for message, (first, *others) in by_text.items():
+            names = [self.gears[number - 1].name or str(number) for number in others]
+            of_others = f"; this also concerns {plural('gear', len(names))} {spoken(names)}"
+            yield Problem(identity, message + of_others * bool(names), ("gears", first))
 
     @property
     def devices(self) -> list[str]:

@@ -13,7 +13,6 @@ import numpy as np
 
 from vstatics.core.errors import Path, Problem, count_of, percent, quoted, spoken
 from vstatics.core.model.fields import TransmissionFields
-from vstatics.core.model.part_checks import of_gears
 from vstatics.core.model.parts import RAD_PER_RPM, Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -365,7 +364,7 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
                 "or the speed ratio under `speed_ratios`"
             )
             without_load.append((number, message))
-    yield from of_gears(case, "E267", without_load)
+    yield from case.problems_of_gears("E267", without_load)
 
 
 def with_load(case: ACase, load: Load) -> ACase:

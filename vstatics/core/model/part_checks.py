@@ -10,8 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Path, Problem, count_of, percent, plural, spoken
-from vstatics.core.groups import grouped
+from vstatics.core.errors import Path, Problem, count_of, percent
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -369,32 +368,7 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
                     or _is_bypassed(case, gear, number)
                 )
             )
-            yield from of_gears(case, "E277", lacking)
-
-
-def of_gears(
-    case: TransmissionFields, identity: str, messages: Iterable[tuple[int, str]]
-) -> Iterator[Problem]:
-    """Yield a problem for each different message, at the first of its gears.
-
-    Parameters
-    ----------
-    messages : iterable of tuple
-        Pairs of the number of a gear and a message.
-
-    Examples
-    --------
-    >>> from vstatics import Gear, Transmission
-    >>> case = Transmission(2, [], [], [Gear(), Gear(), Gear(name="R")])
-    >>> for problem in of_gears(case, "E277", [(1, "no ratio"), (2, "no ratio"), (3, "no ratio")]):
-    ...     print(problem)
-    gears[1]: no ratio; this also concerns gears 2 and R [E277]
-    """
-    by_text = grouped((message, number) for number, message in messages)
-    for message, (first, *others) in by_text.items():
-        names = [case.gears[number - 1].name or str(number) for number in others]
-        more = f"; this also concerns {plural('gear', len(names))} {spoken(names)}" if names else ""
-        yield Problem(identity, message + more, ("gears", first))
+            yield from case.problems_of_gears("E277", lacking)
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:

@@ -19,7 +19,7 @@ NOTHING = "-"
 """Text for a number that does not exist, and for an empty list."""
 LARGE_CELL = 1e7
 """Magnitude from which numbers are written with a power of ten."""
-MOST_DECIMALS = 9
+CELL_DECIMALS = 9
 """Largest number of decimals; smaller numbers are written with a power of ten."""
 YES, NO = "●", "·"
 
@@ -270,7 +270,7 @@ def exact(
     else:
         shown = 0.0 if abs(known) < ROUNDED_PART * largest else known
         text = rounded(shown, decimals, digits)
-        if digits is None and places(shown, decimals) > MOST_DECIMALS:
+        if digits is None and places(shown, decimals) > CELL_DECIMALS:
             text = f"{shown:.3e}"
     return Cell(text, known, kind=float)
 

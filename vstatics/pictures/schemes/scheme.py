@@ -161,13 +161,17 @@ def scheme_of(case: Transmission) -> Scheme:
     return Scheme(case.link_names[: case.own_links], devices, shown)
 
 
+RATIO_SIGN = "u = "
+"""Sign before a basic ratio."""
+
+
 def ratio_text(ratio: float) -> str:
     """Return a basic ratio as a text for pictures.
 
     >>> ratio_text(-2.4610)
     'u = −2.461'
     """
-    return typeset(f"u = {ratio:.5g}")
+    return typeset(f"{RATIO_SIGN}{ratio:.5g}")
 
 
 def _mechanisms(case: Transmission) -> list[Device]:

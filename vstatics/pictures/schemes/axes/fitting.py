@@ -14,10 +14,10 @@ from vstatics.pictures.schemes.axes.recognition import ParallelAxes
 from vstatics.pictures.schemes.axes.row_sections import row_sections
 from vstatics.pictures.schemes.axes.rows import axis_rows
 from vstatics.pictures.schemes.axes.search import arranged, passing
-from vstatics.pictures.schemes.axes.stations import stations_of
+from vstatics.pictures.schemes.axes.stations import Station, box_note, note_half, stations_of
 from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS, placed_by_letters
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.scheme import Scheme
+from vstatics.pictures.schemes.scheme import RATIO_SIGN, Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
@@ -53,7 +53,10 @@ def placed(
             )
             for bare in inner
         ]
-        stations = stations_of(scheme, axes, style, letters, sections, layouts)
+        stations = [
+            _around_letters(station, scheme, style, part)
+            for station in stations_of(scheme, axes, style, letters, sections, layouts)
+        ]
         rows = axis_rows(axes, stations, 1 / part)
         for gap in GAPS:
             board = AxesBoard(axes, rows, stations, scheme.ports, gap)
@@ -66,6 +69,22 @@ def placed(
             if part * (high[0] - low[0]) <= style.width:
                 return placing
     return placing
+
+
+def _around_letters(station: Station, scheme: Scheme, style: Style, part: float) -> Station:
+    """Return a box that is at least as wide as the letters of its ratio, which do not shrink.
+
+    >>> from vstatics.pictures.schemes.scheme import Device
+    >>> pair = Device("z1", "mechanism", {"first": 1, "second": 2}, (0,), ratio=-2.0537)
+    >>> scheme, box = Scheme(["in", "out"], [pair], []), Station("box", [0], [0], [1, 2], 14.0)
+    >>> around = _around_letters(box, scheme, Style(), 0.6)
+    >>> 0.6 * around.half >= note_half("−2.0537") > 0.6 * box.half
+    True
+    """
+    if station.kind != "box":
+        return station
+    short = box_note(scheme.devices[station.devices[0]], style).removeprefix(RATIO_SIGN)
+    return station._replace(half=max(station.half, note_half(short) / part))
 
 
 def _chosen(

@@ -147,7 +147,7 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
     is_differential = device.kind == "bevel" or is_bare_differential(device)
     if is_differential and len(set(links)) == len(device.members):
         return Station("differential", (index,), (row,), links, CAGE, names)
-    half = max(width(box_note(device, style), SMALL) / 2 + 3, 13.0, PIN * len(links))
+    half = max(note_half(box_note(device, style)), 13.0, PIN * len(links))
     return Station("box", (index,), (row,), links, half, names)
 
 
@@ -156,6 +156,11 @@ def _pair_teeth(device: Device, style: Style) -> list[str]:
         return []
     first, *_, last = device.element.shape.toothed
     return [typeset(f"{device.element.teeth[gear]:g}") for gear in (first, last)]
+
+
+def note_half(note: str) -> float:
+    """Return half the width of a box around a text [pt]."""
+    return width(note, SMALL) / 2 + 3
 
 
 def box_note(device: Device, style: Style) -> str:

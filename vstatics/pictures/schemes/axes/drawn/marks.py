@@ -11,12 +11,13 @@ from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE_HEIGHT
-from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
+from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note, note_half
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
 from vstatics.pictures.schemes.coaxial.rooms import ends_of
 from vstatics.pictures.schemes.gear_glyphs import ground
 from vstatics.pictures.schemes.ink import SchemeInk
+from vstatics.pictures.schemes.scheme import RATIO_SIGN
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:
@@ -65,6 +66,8 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
     edge = (x - station.half, y - BOX), (2 * station.half, 2 * BOX)
     pen.box(*edge, width=LINE_WIDTH, title=sheet.said(index), **look)
     note = box_note(sheet.scheme.devices[index], pen.style)
+    if note_half(note) * placing.letters > station.half:
+        note = note.removeprefix(RATIO_SIGN)
     device_sheet.text((x, y), note, size=SMALL, color=sheet.text_color(index), over=False)
     device, up = sheet.scheme.devices[index], placing.board.rows.sides[axis]
     for contact in placing.contacts:
