@@ -1,5 +1,6 @@
 """Motions with efficiencies over speed and torque, compared with an integrator written here."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from random import Random
@@ -10,6 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.chance import each_seed, seeded
+from tests.simulation.control.written import simulated
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_run
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
@@ -179,6 +181,29 @@ def test_a_coast_with_a_formula_without_a_value_at_torque_0() -> None:
     torques = (1, constant(-50.0)), (2, constant(60.0))
     motion = simulate(Scenario(case, 1, Start(speeds={1: 50.0}), torques=torques))
     assert motion.speeds[-1, 0] == pytest.approx(m, rel=1e-10)
+
+
+BLOCK = """inertias: {a: 0.3, b: 0.04, c: 2.3}
+shift_elements:
+  C: {links: [a, b], capacity: 300 N*m}
+  B: {links: [b, housing], capacity: 900 N*m}
+  D: {links: [b, c], drag: 2 N*m}
+  E: {links: [a, c], drag: 1 N*m}
+mechanisms:
+  P: {first: a, second: b, third: c, ratio: -1.5, efficiency: 0.98 - 0.03*exp(-T/50)}
+"""
+
+
+def test_a_formula_has_no_torque_in_the_trials_of_a_block_that_slips_apart() -> None:
+    """Then ``dw_a/dt + 1.5 dw_b/dt = 2.5 dw_c/dt`` determines the torque -m of the gear set."""
+    text = "start: {speeds: {a: 100, b: 100, c: 100}, engaged: [C]}\nduration: 0.12\n"
+    text += "controls: {C: [[0, 209], [0.1, 0]], B: 344}\ntorques: {a: 22, c: -40}\n"
+    motion, m = simulated(text, BLOCK), 200.0
+    for _ in range(9):
+        u = 1.5 / (0.98 - 0.03 * math.exp(-m / 50))
+        known = 21 / 0.3 - 1.5 * 342 / 0.04 + 2.5 * 41 / 2.3
+        m = -known / (1 / 0.3 + 1.5 * u / 0.04 + 2.5 * (u + 1) / 2.3)
+    assert motion.torques[-1, motion.devices.index("P")] == pytest.approx(-m)
 
 
 def test_a_formula_that_gives_no_efficiency_is_refused_at_the_start() -> None:

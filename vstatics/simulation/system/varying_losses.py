@@ -9,6 +9,7 @@ search for this fixed point begins at the last solution.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -49,11 +50,17 @@ class LosingMesh:
         self.given = mesh_factor(mesh.efficiency, mesh.back, state)
         """Factor f0 in the constraint of the mechanism."""
 
-    def torque(self, speed: float, on_first: float) -> float:
-        """Return the port torque [N*m]; an impossible efficiency is clipped."""
+    def torque(self, speed: float, on_first: float, *, is_trial: bool = False) -> float:
+        """Return the port torque [N*m]; an impossible efficiency is clipped.
+
+        In a trial, a torque of the wrong sign has the efficiency of a torque of 0.
+        """
         if not self.moves:
             return 0.0
-        value = self._continued(self.way * speed, self.sign * on_first)
+        if is_trial:
+            value = self.efficiency(speed, on_first)
+        else:
+            value = self._continued(self.way * speed, self.sign * on_first)
         if not 0 < value <= 1 and self.sign * on_first < 0:
             return 0.0
         value = max(LEAST_EFFICIENCY, min(value, 1.0))  # also replaces NaN
@@ -134,9 +141,9 @@ class VaryingLosses:
         least = (SAME_TORQUE * (self.sizes @ np.abs(torques))).tolist()
         losses: list[float] = []
 
-        def on_first(assumed: Vector) -> Vector:
+        def on_first(assumed: Vector, *, is_trial: bool) -> Vector:
             losses[:] = [
-                mesh.torque(speed, torque)
+                mesh.torque(speed, torque, is_trial=is_trial)
                 for mesh, speed, torque in zip(self.meshes, speeds, assumed, strict=True)
             ]
             if others:
@@ -149,12 +156,15 @@ class VaryingLosses:
                 for torque, row in zip(held, self.by_losses, strict=True)
             ]
 
-        agreed = self.fixed_points.near(self.latest, on_first, least)
-        self.failed = self._failure(speeds, agreed, least)
-        if self.failed:  # from a distant start, the iteration can end at impossible efficiencies
-            self.fixed_points = FixedPoints(len(self.meshes))
-            agreed = self.fixed_points.near(held, on_first, least)
+        # From a distant start, the iteration can end at impossible efficiencies. Below a torque of
+        # 0, a formula can be so steep that a state with the wrong flow of power has no torque.
+        for begin, is_trial in ((self.latest, False), (held, False), (held, True)):
+            carried = partial(on_first, is_trial=is_trial)
+            agreed = self.fixed_points.near(begin, carried, least)
             self.failed = self._failure(speeds, agreed, least)
+            if not self.failed:
+                break
+            self.fixed_points = FixedPoints(len(self.meshes))
         if agreed is None or self.failed:
             torques[self.places] = np.nan
         else:
