@@ -207,10 +207,6 @@ def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, at: Point)
     style, tie, upright, (x, y) = sheet.pen.style, route.tie, route.is_upright, at
     SIGNS[kind_of(sheet.page.case, tie)](sheet, at, upright=upright)
     said, ink = _carried(gear, [tie.name], style), style.ink if tie.is_spring else style.engaged
-    pen = sheet.pen
-    if upright:
-        where: Look = {"ha": "left", "va": "center"}
-        pen.text(x + BESIDE_SIGN, y, tie.name, title=said, color=ink, **where)
-    else:
-        where = {"ha": "center", "va": "bottom"}
-        pen.text(x, y + 6.5, tie.name, title=said, color=ink, over=True, **where)
+    where = (x + BESIDE_SIGN, y) if upright else (x, y + 6.5)
+    look: Look = {"va": "center"} if upright else {"ha": "center", "va": "bottom", "over": True}
+    sheet.pen.text(*where, tie.name, title=said, color=ink, **look)

@@ -94,10 +94,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     by_member = [
         {name: plain(torque) for name, torque in torque_map.items()} for torque_map in members
     ]
-    torques = [
-        [_torque(node.sources, by_member) for node in lever.nodes if lever.devices]
-        for lever in drawn
-    ]
+    torques = [[_torque(node.sources, by_member) for node in lever.nodes] for lever in drawn]
     case, spots = results.case, spots_of(drawn)
     grounds = _grounds(case, state, drawn, spots)
     engaged = {number: case.shift_elements[number - 1] for number in state.gear.carrying}

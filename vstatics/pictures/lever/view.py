@@ -44,7 +44,7 @@ class LeverView(NamedTuple):
 
     def torque(self, node: int) -> float:
         """Return the torque on a point relative to the input torque [-]; 0 for a shaft."""
-        return self.gear.torques[self.place][node] if self.cell.lever.devices else 0.0
+        return self.gear.torques[self.place][node]
 
     def speed(self, node: int) -> float:
         """Return the speed of a point relative to the input speed [-]."""

@@ -121,10 +121,10 @@ def speeds_under(
     """
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     speeds = {condition.link: condition.speed for condition in state if condition.other == HOUSING}
-    pairs = [{condition.link, condition.other} for condition in state if condition.other != HOUSING]
     engaged = [
-        next(n for n, element in enumerate(case.shift_elements, 1) if set(element.links) == pair)
-        for pair in pairs
+        next(n for n, item in enumerate(case.shift_elements, 1) if _condition(item) == condition)
+        for condition in state
+        if condition.other != HOUSING
     ]
     if output is not None:
         speeds[last] = output

@@ -43,27 +43,22 @@ GROUND = 14.0
 class BoxText(NamedTuple):
     """Texts of the box of a component."""
 
-    lines: str
-    """Lines with the name, and the kind or ratio."""
+    name: str
+    """Name of the component, in one or more lines."""
+    note: str
+    """Kind or ratio of the component."""
     members: Mapping[str, str]
     """Names of members, or the coefficients of a spring, by the member."""
 
     @property
-    def name(self) -> str:
-        """Name of the component, in one or more lines, without kind or ratio."""
-        return self.lines.rpartition("\n")[0]
-
-    @property
-    def note(self) -> str:
-        """Kind or ratio of the component."""
-        return self.lines.rpartition("\n")[2]
+    def lines(self) -> int:
+        """Number of lines of the name."""
+        return 1 + self.name.count("\n")
 
     @property
     def size(self) -> tuple[float, float]:
         """Width and height of name and kind or ratio [pt, scaled with letters]."""
-        return max(width(self.name, bold=True), width(self.note)), LINE * (
-            1 + self.lines.count("\n")
-        )
+        return max(width(self.name, bold=True), width(self.note)), LINE * (1 + self.lines)
 
     def at(self, link: int, device: Device) -> str:
         """Return the names of the members that belong to a link."""
@@ -101,8 +96,7 @@ class BoxSection(HalfSection):
     @property
     def half(self) -> float:
         """Half the height of the box [pt]."""
-        lines = self.text.lines.count("\n")
-        return self.letters * (LINE * (lines + 1.5) + PAD)
+        return self.letters * (LINE * (self.text.lines + 1.5) + PAD)
 
     @property
     def tall(self) -> float:
@@ -145,8 +139,8 @@ def boxes_of(scheme: Scheme, style: Style) -> tuple[dict[int, HalfSection], dict
     >>> mechanism = Device("P", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,), ratio=-2)
     >>> pair = Device("pair", "gear_pair", {"first": 1, "second": 3}, (1,))
     >>> rows, lines = boxes_of(Scheme(["a", "b", "c"], [mechanism, pair], []), Style())
-    >>> rows[0].text.lines.split(chr(10)), lines[1].lines.split(chr(10))
-    (['P', 'u = −2'], ['pair', 'gear pair'])
+    >>> rows[0].text[:2], lines[1][:2]
+    (('P', 'u = −2'), ('pair', 'gear pair'))
     """
     sections: dict[int, HalfSection] = {}
     texts: dict[int, BoxText] = {}
@@ -168,7 +162,7 @@ def _text(device: Device, style: Style) -> BoxText:
         member: typeset(device.labels[member]) if member in device.labels else word(member, style)
         for member in device.members
     }
-    return BoxText(f"{lines_of(device.name, BOX_NAME_LETTERS)}\n{note}", members)
+    return BoxText(lines_of(device.name, BOX_NAME_LETTERS), note, members)
 
 
 def _section(device: Device, text: BoxText) -> BoxSection:

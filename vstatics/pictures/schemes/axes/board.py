@@ -95,12 +95,9 @@ class AxesBoard:
                 for station in self.stations
                 if link in station.links and station.kind != "pair"
             ]
-            partners = [
-                partner for coupling in couplings for partner in coupling.links if partner != link
-            ]
-            shifted = all(coupling.is_shifted for coupling in couplings)
-            if couplings and shifted and len(set(partners)) == 1:
-                shaft = partners[0]
+            partners = {partner for coupling in couplings for partner in coupling.links} - {link}
+            if len(partners) == 1 and all(coupling.is_shifted for coupling in couplings):
+                (shaft,) = partners
                 # Of two coupled links, the one with more stations is the shaft.
                 counts = [sum(end in s.links for s in self.stations) for end in (shaft, link)]
                 if (counts[0], link) > (counts[1], shaft):

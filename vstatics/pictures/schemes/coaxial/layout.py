@@ -119,15 +119,15 @@ class _FrameMaker:
     def finished(self) -> SectionFrame:
         if not self.is_started:  # a train without components has no steps
             self._start(OrderStep("wall", self.train.start, [((8 * self.train.start,), ())]))
-        ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
-        if not ends:  # the last step has already ended the bar
-            ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
-        if self.train.end and not ends:  # the output is not connected
-            ends = [Bar(self.train.end, is_above=False)]
-            self.below.append(ends[0])
-            self._note()
         if self.train.end:
-            self._stand(Upright("end", 0, ends[:1]))
+            # The last step can already have ended the bar.
+            bars = [*self.frame.bars, *reversed(self.below + self.above)]
+            ends = [bar for bar in bars if bar.link == self.train.end]
+            if not ends:  # the output is not connected
+                ends = [Bar(self.train.end, is_above=False)]
+                self.below += ends
+                self._note()
+            self._stand(Upright("end", 0, ends[-1:]))
         return _with_ends(self.frame)
 
     def _start(self, step: OrderStep) -> None:

@@ -23,7 +23,7 @@ from vstatics.pictures.schemes.coaxial.drawn.links import draw_link_names, draw_
 from vstatics.pictures.schemes.coaxial.drawn.ports import draw_ports
 from vstatics.pictures.schemes.coaxial.fitting import fits, laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
+from vstatics.pictures.schemes.coaxial.rooms import axis_ends, extent
 from vstatics.pictures.schemes.coaxial.section import NO_TEXTS, coaxial_scheme
 from vstatics.pictures.schemes.ink import ARROW, AXIS_DASHES, FURTHER, SchemeInk
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
@@ -141,9 +141,8 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """Draw a half-section with the axis, links and components."""
     if not layout.coaxial.has_boxes:
-        (left, right), y = ends_of(layout), layout.places.axis
         look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
-        ends = (left - ARROW, y), (right + ARROW, y)
+        ends = [(x + way * ARROW, y) for _, (x, y), way in axis_ends(layout)]
         ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
     draw_parts(ink, layout)
     draw_ports(ink, layout)

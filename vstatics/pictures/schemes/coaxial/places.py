@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from vstatics.core.groups import grouped
@@ -184,15 +184,14 @@ def _closed_up(
 ) -> None:
     at: list[float] = []
     for place, needed in enumerate(rooms):
-        x = 0.0
-        for other, theirs in enumerate(rooms[:place]):
-            if (other, place) in apart:
-                x = max(x, at[other] + apart[other, place])
-            for room in needed:
-                for there in theirs:
-                    if room.low < there.high and there.low < room.high:
-                        x = max(x, at[other] + there.right + ROOM_GAP - room.left)
-        at.append(x)
+        least = [
+            start + there.right + ROOM_GAP - room.left
+            for start, theirs in zip(at, rooms, strict=False)
+            for room, there in product(needed, theirs)
+            if room.low < there.high and there.low < room.high
+        ]
+        least += [at[other] + by for (other, behind), by in apart.items() if behind == place]
+        at.append(max([0.0, *least]))
     places.at = at
 
 

@@ -169,6 +169,12 @@ def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
     return min(room.left for room in rooms), max(room.right for room in rooms)
 
 
+def axis_ends(layout: CoaxialLayout) -> list[tuple[int, Point, float]]:
+    """Return the link at each end of the axis (0 for no link), with point and direction."""
+    (left, right), train, y = ends_of(layout), layout.coaxial.train, layout.places.axis
+    return [(train.start, (left, y), -1.0), (train.end, (right, y), 1.0)]
+
+
 def _placed_rooms(layout: CoaxialLayout) -> list[SignRoom]:
     """Return the rectangles of all uprights, relative to the origin of the picture."""
     return [

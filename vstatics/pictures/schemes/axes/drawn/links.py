@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
@@ -100,11 +101,11 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
         color = sheet.line_color(device, link)
         look["zorder"] = 3.3 if color == style.ink else 3.2
         pen.line(*path, color=color, kind="wire", title=title, **look)
-    dots: dict[Point, bool] = {}
-    for device, at in branches(placing, link, wires):
-        dots[at] = dots.get(at, False) or sheet.line_color(device, link) == style.ink
-    for (x, y), is_used in dots.items():
-        color = style.ink if is_used else style.faint
+    dots = grouped(
+        (at, sheet.is_used(device, link)) for device, at in branches(placing, link, wires)
+    )
+    for (x, y), are_used in dots.items():
+        color = style.ink if any(are_used) else style.faint
         dot: Look = {"width": DOT, "zorder": 3.6, "solid_capstyle": "round", "snap": False}
         pen.line((x, y), (x + 0.1, y), color=color, **dot)
     if link in placing.board.road_wheels:

@@ -70,12 +70,10 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
         note = note.removeprefix(RATIO_SIGN)
     device_sheet.text((x, y), note, size=SMALL, color=sheet.text_color(index), over=False)
     device, up = sheet.scheme.devices[index], placing.board.rows.sides[axis]
-    for contact in placing.contacts:
-        for member, link in device.members.items():
-            # the labels of a spring are the coefficients of links in its twist
-            if contact[:3:2] == (link, index) and member in device.labels:
-                at = contact.x + 2.0, y - up * (BOX + 5.0)
-                device_sheet.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
+    # The labels of a spring are the coefficients of links in its twist.
+    for member, label in device.labels.items():
+        at = _ends(sheet, index)[device.members[member]] + 2.0, y - up * (BOX + 5.0)
+        device_sheet.text(at, typeset(label), size=SMALL, ha="left")
     sheet.name(index)
 
 

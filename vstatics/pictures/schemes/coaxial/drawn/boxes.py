@@ -42,9 +42,14 @@ def draw_box(
     members.append(((x, 0.0), section.side))
     _outlined(ink, index, ((at + left, -half), (at + right, half)))
     middle = at + (left + right) / 2
-    lines = section.text.lines.count("\n")
     members.append(((middle, -letters * LINE), section.text.note))
-    _written(ink, index, section.text.name, (middle, letters * LINE * (lines + 1) / 2), members)
+    _written(
+        ink,
+        index,
+        section.text.name,
+        (middle, letters * LINE * (section.text.lines + 1) / 2),
+        members,
+    )
     for tap in taps:
         if not tap.wire:
             edge, end = (at + tap.x, tap.side * half), (at + tap.x, tap.side * (half + GROUND / 2))
@@ -90,10 +95,10 @@ def _on_line(  # noqa: PLR0913, PLR0917 - texts and their positions
     letters: float,
 ) -> None:
     """Draw a box on a line between two links, with the texts moved up by `shift` [pt]."""
-    (x, y), (wide, high), lines = middle, size, text.lines.count("\n")
+    (x, y), (wide, high) = middle, size
     _outlined(ink, index, ((x - wide / 2, y - high / 2), (x + wide / 2, y + high / 2)))
     y += shift
-    note = (x, y - letters * LINE * lines / 2), text.note
+    note = (x, y - letters * LINE * text.lines / 2), text.note
     _written(ink, index, text.name, (x, y + letters * LINE / 2), [note, *members])
 
 

@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
-from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, ends_of, met_by
+from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, axis_ends, met_by
 from vstatics.pictures.schemes.gear_glyphs import ABOVE, BELOW
 from vstatics.pictures.schemes.sets import axles, wheel_taps
 
@@ -46,7 +46,7 @@ def meeting(first: Segment, second: Segment) -> Point | None:
 
 def wires_of(layout: CoaxialLayout) -> Wires:
     """Return the lines of all links."""
-    places, (left, right) = layout.places, ends_of(layout)
+    places = layout.places
     uprights = [*zip(layout.uprights, places.at, strict=True)]
     lines = [line for up, at in uprights for line in _upright_lines(layout, up, at)]
     met = [point for up, at in uprights for point in _meets(layout, up, at)]
@@ -61,12 +61,10 @@ def wires_of(layout: CoaxialLayout) -> Wires:
     for bar, xs in ends.items():
         y = places.heights[bar]
         lines.append((bar.link, ((min(xs), y), (max(xs), y))))
-    train = layout.coaxial.train
-    for link, x, kind in ((train.start, left, "start"), (train.end, right, "end")):
+    for (link, (x, y), _), kind in zip(axis_ends(layout), ("start", "end"), strict=True):
         for up, at in uprights:
             if up.kind == kind:
-                low, high = min(x, at), max(x, at)
-                lines.append((link, ((low, places.axis), (high, places.axis))))
+                lines.append((link, ((min(x, at), y), (max(x, at), y))))
     extended = [(link, line) for link, line in lines if line[0] != line[1]]
     return Wires(grouped(extended), met)
 

@@ -14,7 +14,7 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import (
     BRAKE_LENGTH,
     LINK_NAME_GAP,
-    ends_of,
+    axis_ends,
     loose_names,
 )
 from vstatics.pictures.schemes.ink import SchemeInk, centred
@@ -77,11 +77,10 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
 
 def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
     """Yield each port of the transmission: the link, -1 for the component, and the point."""
-    (left, right), train = ends_of(layout), layout.coaxial.train
     used = {port.link for port in layout.coaxial.scheme.ports if port not in ink.state.idle_ports}
-    for link, x in ((train.start, left), (train.end, right)):
+    for link, at_end, _ in axis_ends(layout):
         if link in used:
-            yield link, -1, (x, layout.places.axis)
+            yield link, -1, at_end
     for up, at in zip(layout.uprights, layout.places.at, strict=True):
         if up.kind == "top" and layout.coaxial.tops[up.index].port:
             yield up.bars[0].link, -1, (at, layout.places.housing - BRAKE_LENGTH)

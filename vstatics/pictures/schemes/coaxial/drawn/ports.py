@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, ends_of
+from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, axis_ends
 from vstatics.pictures.schemes.ink import ARROW, FURTHER, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.scheme import SchemePort
 
 
 def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:
     """Draw the ports of the transmission at both ends of the axis."""
-    (left, right), train = ends_of(layout), layout.coaxial.train
-    for link, x, way in ((train.start, left, -1.0), (train.end, right, 1.0)):
+    for link, at, way in axis_ends(layout):
         if link:
-            draw_end(ink, link, (x, layout.places.axis), way)
+            draw_end(ink, link, at, way)
 
 
 def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
