@@ -70,14 +70,33 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     >>> case = Transmission(4, [ShiftElement(3, 4)], pairs, [Gear([1])])
     >>> [sorted(axis) for axis in parallel_axes(scheme_of(case), case).axes]
     [[1], [2], [3, 4]]
+
+    A mechanism with a ratio above 0 has an idler if another component connects the same axes.
+
+    >>> pairs = [Mechanism(1, 2, 0, -1.2), Mechanism(1, 3, 0, 2.9)]
+    >>> case = Transmission(4, [ShiftElement(2, 4), ShiftElement(3, 4)], pairs, [Gear([2])])
+    >>> [sorted(axis) for axis in parallel_axes(scheme_of(case), case).axes]
+    [[1], [2, 3, 4]]
     """
     joints, bodies = [], list(range(len(scheme.links) + 1))
     cages = {device.members["third"] for device in scheme.devices if is_bare_differential(device)}
+    alike: list[tuple[int, Device]] = []
     for index, device in enumerate(scheme.devices):
         joint, groups = joint_of(index, device, case, cages)
         joints += [joint] if joint else []
+        if groups and device.kind == "mechanism" and len(device.members) == 2 == len(groups[0]):
+            alike.append((index, device))
+            continue
         for links in groups:
             join(bodies, *links)
+    for index, device in alike:
+        first, second = device.members.values()
+        ends = {bodies[first], bodies[second]}
+        if any({bodies[joint.first], bodies[joint.second]} == ends for joint in joints):
+            sizes = 1.0, device.ratio
+            joints.append(AxisJoint(index, "idler", first, second, sizes, FREE_IDLER))
+        else:
+            join(bodies, first, second)
     joints = [joint for joint in joints if bodies[joint.first] != bodies[joint.second]]
     entry = next(port.link for port in scheme.ports if port.role == "input")
     order = list(_from(bodies[entry], joints, bodies))
