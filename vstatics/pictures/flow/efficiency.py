@@ -137,8 +137,7 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
     foot = max(part.foot(step)[1] for part in parts)
     below = LEADER + foot + GEARS_NAME_HEIGHT
     high = below + AXES_HEIGHT + PANEL_ROW_GAP
-    lossless = style.text("nothing is lost")
-    note = "" if losses.names or losses.missing else lossless
+    note = "" if losses.names or losses.missing else style.text("nothing is lost")
     wide = EFFICIENCY_SCALE_WIDTH + MARGIN + max(most * step, LEAST_OF_HEAD)
     wide = min(wide, style.width)
     head = sheet_head(name, note, losses.key, wide - 2 * MARGIN, style)

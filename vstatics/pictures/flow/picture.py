@@ -58,14 +58,14 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     numbers = [gears or range(1, len(every) + 1) for gears in shown]
     chosen = sorted({number for selected in numbers for number in selected})
     placings = placed([every[number - 1] for number in chosen], style)
-    placing_of = dict(zip(chosen, placings, strict=True))
+    gear_of: dict[int, FlowGear] = {}
+    for number, placing in zip(chosen, placings, strict=True):
+        flow, said = every[number - 1], None
+        if flow.shown is not None:
+            said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
+        gear_of[number] = FlowGear(number, flow, placing, said)
     for selected in numbers:
-        gears = []
-        for number in selected:
-            flow, said = every[number - 1], None
-            if flow.shown is not None:
-                said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
-            gears.append(FlowGear(number, flow, placing_of[number], said))
+        gears = [gear_of[number] for number in selected]
         if len(gears) == 1:
             yield list(_alone(results, gears[0], style))
             continue

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, Transmission
-from vstatics.core.numerics.traced import plain
+from vstatics.core.numerics.tape import Residual
+from vstatics.core.numerics.traced import Number, plain
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.roles import IDLE, ONE_PIECE, Role
 from vstatics.pictures.drawing.gear_state import PictureState, state_of
 from vstatics.pictures.drawing.tolerances import NO_LEVER_TORQUE
-from vstatics.pictures.lever.points import Lever, held_for_good
+from vstatics.pictures.lever.points import Lever, Source, held_for_good
 
 Spot = tuple[int, int]
 """Point of a lever: index of the lever, and index of the node on the lever."""
@@ -91,10 +92,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     """
     whole = results.gear_at(number - 1)
     state, members = state_of(results, number), whole.member_torques(lossy=False)
-    by_member = [
-        {name: plain(torque) for name, torque in torque_map.items()} for torque_map in members
-    ]
-    torques = [[_torque(node.sources, by_member) for node in lever.nodes] for lever in drawn]
+    torques = [[_torque(node.sources, members) for node in lever.nodes] for lever in drawn]
     case, spots = results.case, spots_of(drawn)
     grounds = _grounds(case, state, drawn, spots)
     engaged = {number: case.shift_elements[number - 1] for number in state.gear.carrying}
@@ -127,10 +125,8 @@ def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
             yield place, 0
 
 
-def _torque(
-    sources: Sequence[tuple[int, str, float]], members: Sequence[dict[str, float]]
-) -> float:
-    total = sum(factor * members[device][member] for device, member, factor in sources)
+def _torque(sources: Sequence[Source], members: Sequence[Mapping[str, Number | Residual]]) -> float:
+    total = sum(factor * plain(members[device][member]) for device, member, factor in sources)
     return 0.0 if abs(total) < NO_LEVER_TORQUE else total
 
 

@@ -248,13 +248,12 @@ def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
             links = device.links if state.loaded_elements[device.numbers[0]] else set()
         elif device.kind == "spring":
             links = device.links if state.loaded_springs[device.numbers[0]] else set()
-            idle.update([] if links else [place])
         else:
             links = device.links & state.loaded_links[place]
-            if not links:
-                idle.add(place)
-            elif state.roles[place] == ONE_PIECE:
+            if links and state.roles[place] == ONE_PIECE:
                 pieces.add(place)
+        if not (links or device.is_shift_element):
+            idle.add(place)
         loaded.append(links)
         ends += links
     pale = {link for link in range(1, len(scheme.links) + 1) if ends.count(link) < 2}

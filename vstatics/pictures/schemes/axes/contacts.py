@@ -134,14 +134,11 @@ def port_contacts(
     ports = {port.link for port in board.ports}
     for link, is_right in ends.items():
         row, way = board.axis_of[link], 1 if is_right else -1
-        xs = [way * contact.x for contact in contacts if board.axis_of[contact.link] == row] or [
-            0.0
-        ]
-        end = max(xs) + STUB
-        for x in (
-            sorted(_in_the_way(board, contacts, row, way)) if link in board.road_wheels else ()
-        ):
-            end = x + ROAD_WHEEL if abs(end - x) < ROAD_WHEEL else end
+        xs = (way * contact.x for contact in contacts if board.axis_of[contact.link] == row)
+        end = max(xs, default=0.0) + STUB
+        if link in board.road_wheels:
+            for x in sorted(_in_the_way(board, contacts, row, way)):
+                end = x + ROAD_WHEEL if abs(end - x) < ROAD_WHEEL else end
         yield AxisContact(link, way * end, -1, "port" if link in ports else "road")
 
 

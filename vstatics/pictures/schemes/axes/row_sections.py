@@ -38,9 +38,7 @@ def row_sections(
         divides = any(is_bare_differential(scheme.devices[index]) for index in inside)
         if len(ends) != 2 or len(sets) < FEWEST_SETS or divides:
             continue
-        ports = [
-            SchemePort(link, role) for link, role in zip(ends, ("before", "behind"), strict=True)
-        ]
+        ports = [SchemePort(ends[0], "before"), SchemePort(ends[1], "behind")]
         left_out = {*range(len(scheme.devices))} - inside
         part = replace(scheme, ports=ports)
         coaxial = coaxial_scheme(part, {index: sections[index] for index in sets}, left_out)

@@ -46,8 +46,8 @@ class AxisRows(NamedTuple):
         first, second = joint.sizes
         if joint.kind == "internal_pair" and len(rows) == 2:
             small = distance / max(max(first, second) / min(first, second) - 1.0, 1.0)
-            radii = (small, distance + small)
-            return (*radii[:1], 0.0, *radii[1:]) if first < second else (radii[1], 0.0, radii[0])
+            large = distance + small
+            return (small, 0.0, large) if first < second else (large, 0.0, small)
         if joint.kind in FAR:
             distance *= 0.55
         unit = distance / (first + second + 2 * joint.idler)
@@ -85,19 +85,21 @@ def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 
 def _order(
     count: int, stations: Sequence[Station], idlers: Mapping[int, tuple[int, int]]
 ) -> tuple[int, ...]:
-    ends = [tuple(station.axes) for station in stations if station.kind == "pair"]
-    ends = [pair for pair in ends if not set(pair) & idlers.keys()] + list(idlers.values())
+    ends = [
+        station.axes
+        for station in stations
+        if station.kind == "pair" and idlers.keys().isdisjoint(station.axes)
+    ]
+    ends += idlers.values()
     rows = [axis for axis in range(count) if axis not in idlers]
     orders = permutations(rows) if len(rows) <= MOST_PERMUTED else [tuple(rows)]
     return min(orders, key=lambda order: _cost(order, ends))
 
 
 def _room(axis: int, stations: Sequence[Station]) -> float:
-    halves = [
-        glyph.half for station in stations if axis in station.axes for glyph in station.glyphs
-    ]
-    sets = 2 * max(halves) + SIGNS if halves else SIGNS
-    return max([sets, *(station.reach[1] for station in stations if axis in station.axes)])
+    here = [station for station in stations if axis in station.axes]
+    half = max((glyph.half for station in here for glyph in station.glyphs), default=0.0)
+    return max([2 * half + SIGNS, *(station.reach[1] for station in here)])
 
 
 def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[int, int]]]:

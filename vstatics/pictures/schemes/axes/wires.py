@@ -112,10 +112,9 @@ def sign_height(placing: AxesPlaces, device: int) -> float:
     levels = [placing.spans[link].level for link in station.links]
     if station.kind == "brake":
         return _brake_height(placing, station, device)
-    place = list(station.devices).index(device) if station.kind == "coupling" else 0
     if station.has_two_sides and levels == [0, 0] and len(station.devices) == 1:
         return 0.0
-    return placing.sign_height(axis) + STACK * place
+    return placing.sign_height(axis) + STACK * list(station.devices).index(device)
 
 
 def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:

@@ -156,9 +156,8 @@ def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:
                 toward = 1 if ys[1 - place] > ys[place] else -1
                 middle_x = placing.xs[number] + 2.5 + placing.wide(text, size=SMALL) / 2
                 rim = ys[place] - toward * (radii[place] - 2.5)
-                ends = rim, rim - toward * 5.0
                 yield WantedLabel(
-                    station.devices[0], text, (middle_x, ends[0]), ends[1], toward, size=SMALL
+                    index, text, (middle_x, rim), rim - toward * 5.0, toward, size=SMALL
                 )
         for glyph in station.glyphs[placing.chosen.ways[number] :][:1]:
             left, middle = (

@@ -71,8 +71,8 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
     )
     look: Look = {"width": 4.0, "zorder": 6, "solid_capstyle": "round", "snap": False}
     for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
-        dots = [(x, y) for x, y in branches if ((x, y) in points) == there]
-        pen.lines([((x, y), (x + 0.1, y)) for x, y in dots], color=color, **look)
+        dots = [((x, y), (x + 0.1, y)) for x, y in branches if ((x, y) in points) == there]
+        pen.lines(dots, color=color, **look)
 
 
 def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
