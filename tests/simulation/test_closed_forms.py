@@ -180,6 +180,21 @@ def test_converters_at_equilibrium() -> None:
     assert motion.torques[-1, motion.devices.index("TC")] == pytest.approx(100, rel=1e-6)
 
 
+@each_seed(6)
+def test_a_pump_turns_back_while_its_turbine_turns(seed: int) -> None:
+    """By J dw/dt = -T - lambda w |w|, with lambda of the first and then of the last point."""
+    rng, (first, last) = seeded(seed), (3.1e-3, 2e-3)
+    torque, speed = rng.uniform(20, 80), rng.uniform(1, 9)
+    points = (0.0, 2.2, first), (0.8, 1.05, 2.6e-3), (1.0, 1.0, 0.0), (1.4, 1.0, -last)
+    case = links(0.4, 0.05, 1.0, elements=(ShiftElement(2, 3, "C"),))
+    start, controls = {1: speed, 2: -100.0, 3: -100.0}, {1: held(20.0)}
+    loads, converters = ((1, constant(-torque)),), (Converter("TC", 1, 2, points),)
+    motion = run(case, 0.2, start, loads, controls, engaged=(1,), converters=converters)
+    left = 0.2 - 0.4 * math.atan(speed * math.sqrt(first / torque)) / math.sqrt(torque * first)
+    expected = -math.sqrt(torque / last) * math.tan(math.sqrt(torque * last) * left / 0.4)
+    assert motion.speeds[-1, 0] == pytest.approx(expected, abs=1e-9)
+
+
 def test_body_pulled_by_a_spring() -> None:
     """It sticks from F_k - (F_s - F_k) to F_s, and slips the rest of the circle around F_k."""
     inertia, rate, kinetic, static, speed = 0.5, 200.0, 10.0, 1.3, 0.8

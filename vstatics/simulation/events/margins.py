@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from operator import attrgetter
 from typing import Literal, NamedTuple
@@ -529,7 +530,19 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return `watch`; its side is the direction in which a mechanism at rest would move."""
+        """Return `watch`; its side leads to the next state.
+
+        This is the direction in which a mechanism at rest would move, or the number of pieces to
+        the piece of a converter, which are all pieces if the speed of the pump changes its sign.
+        """
+        layout = self.equations.layout
+        if watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:
+            converter = self.equations.system.converters[watch.of - layout.outside]
+            speeds = self.equations.speeds(time, state).tolist()
+            pump, turbine = (speeds[link - 1] for link in converter.links)
+            ratio = turbine / pump if pump else math.copysign(math.inf, watch.side)
+            piece = bisect_right([point[0] for point in converter.points], ratio)
+            return watch._replace(side=piece - self.equations.states.pieces[watch.of] or watch.side)
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
