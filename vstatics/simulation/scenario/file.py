@@ -62,8 +62,8 @@ class ScenarioFile(NamedTuple):
     reading: Reading
     """Case as read, with its warnings."""
     spots: Spots
-    without_unit: Sequence[Problem] = ()
-    """Notes about start speeds that are probably in rpm, but have no unit."""
+    of_texts: Sequence[Problem] = ()
+    """Warnings about texts that a comment cuts off, and notes about start speeds without a unit."""
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
         """Return the scenario with more messages suppressed."""
@@ -77,7 +77,7 @@ class ScenarioFile(NamedTuple):
     @property
     def doubts(self) -> list[Problem]:
         """Warnings and notes about the scenario, with their positions in the document."""
-        every = (*self.without_unit, *scenario_doubts(self.scenario))
+        every = (*self.of_texts, *scenario_doubts(self.scenario))
         doubts = not_allowed(every, self.scenario.case.untold)
         return [*map(self.locate, doubts)]
 
@@ -175,7 +175,8 @@ class ScenarioDocument(NamedTuple):
                 )
             )
         name, description = values.get("name", ""), values.get("description", "")
-        return ScenarioFile(scenario, name, description, samples, reading, spots, builder.doubts)
+        of_texts = [*self.decoded.warnings, *builder.doubts]
+        return ScenarioFile(scenario, name, description, samples, reading, spots, of_texts)
 
     def _words(self, case: Transmission) -> Vocabulary:
         """Return the names that formulas can use; `with_case` reports faults later."""
