@@ -16,7 +16,7 @@ _MOST_TORQUE_CORNERS = 3000
 """Number of candidate splits up to which all are enumerated, instead of linear programming."""
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
-_MOST_STEPS = 30
+_MOST_EXCHANGES = 30
 """Largest number of steps from the best split of other slacks; it is usually 0 to 3."""
 KnownLimits: TypeAlias = dict[tuple[int, bytes], tuple[Integers, Floats]]
 """Limits with equal slacks in the latest best split, and their inverse matrix, by directions.
@@ -137,7 +137,7 @@ def _by_programming(slack: Floats, directions: Floats, known: KnownLimits) -> Fl
     steep = largest(directions) or 1.0
     limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
     key = count, directions.tobytes()
-    for _ in range(_MOST_STEPS if key in known else 0):
+    for _ in range(_MOST_EXCHANGES if key in known else 0):
         rows, inverse = known[key]
         split: Floats = inverse[:count] @ slack[rows] / steep
         slacks = slack + directions @ split

@@ -13,14 +13,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.core.errors import not_allowed, path_text, plural, spoken
+from vstatics.core.errors import not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 from vstatics.core.statics import carried, freewheels, ideal
 from vstatics.core.statics.idle_by_coincidence import idle_messages, idle_with_torque
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
-from vstatics.core.statics.torques import unknown_drag, without_load
+from vstatics.core.statics.torques import without_load
 
 
 def messages(results: Results, given: Transmission) -> list[Message]:
@@ -83,6 +83,18 @@ def _further_output_messages(results: Results, number: int, gear: Gear) -> Itera
     return further_output_messages(results, number, gear)
 
 
+def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Message]:
+    from vstatics.core.statics.diagnosis.overrunning import sharing_freewheels
+
+    return sharing_freewheels(case, gear, held)
+
+
+def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Message]:
+    from vstatics.core.statics.diagnosis.unknown_speeds import drag_messages
+
+    return drag_messages(results, number, gear)
+
+
 def _irregular_gear_messages(
     results: Results, number: int, gear: Gear, lost: Sequence[Message]
 ) -> Iterator[Message]:
@@ -137,37 +149,6 @@ def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Mes
     names += [name for name, at in laws.items() if at[number]]
     if names:
         yield outside_message(names)
-
-
-def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Message]:
-    others = freewheels.alternatives(case, gear, held)
-    if others:
-        holding, able_to_hold = (
-            [case.shift_elements[number - 1].name for number in numbers]
-            for numbers in (held, others)
-        )
-        yield Message(
-            "W411",
-            f"{plural('freewheel', len(able_to_hold))} {spoken(able_to_hold)} could hold instead "
-            f"of {spoken(holding)}, so their torques are indeterminate; the torques with "
-            f"{spoken(holding)} are shown",
-        )
-
-
-def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Message]:
-    """Warn of drag at links or shift elements whose speed is unknown.
-
-    A single drag on otherwise unloaded links brings them to rest, so it needs no warning.
-    """
-    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
-    unknown = unknown_drag(results.case, gear, speeds, slips)
-    is_at_rest = len(unknown) == 1 and results.gear_at(number).unloaded
-    if unknown and results.calculable[number] and not is_at_rest:
-        yield Message(
-            "W412",
-            f"the drag of {spoken(unknown)} is ignored, because the speed there is indeterminate; "
-            "give this speed in the gear",
-        )
 
 
 def _named(case: Transmission, path: str, text: str) -> str:

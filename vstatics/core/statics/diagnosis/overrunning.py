@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from vstatics.core.errors import plural, spoken
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.traced import is_nan
 from vstatics.core.statics import freewheels, matrix
+from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.state import GearState
@@ -47,3 +48,19 @@ def overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) ->
     return why, (
         f"; if the links of {wrong} are in the wrong order, write {right}: then the gear can drive"
     )
+
+
+def sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Message]:
+    """Warn of freewheels that could hold instead of others, which leaves torques unknown."""
+    others = freewheels.alternatives(case, gear, held)
+    if others:
+        holding, able_to_hold = (
+            [case.shift_elements[number - 1].name for number in numbers]
+            for numbers in (held, others)
+        )
+        yield Message(
+            "W411",
+            f"{plural('freewheel', len(able_to_hold))} {spoken(able_to_hold)} could hold instead "
+            f"of {spoken(holding)}, so their torques are indeterminate; the torques with "
+            f"{spoken(holding)} are shown",
+        )

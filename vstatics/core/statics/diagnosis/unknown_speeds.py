@@ -24,6 +24,7 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.core.statics.status import CONFLICT, NEUTRAL, TIED_UP
+from vstatics.core.statics.torques import unknown_drag
 
 NOTHING_HOLDS = "nothing supports the input torque"
 
@@ -134,4 +135,20 @@ def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Message]:
             f"{slip:.4g}, {side}) nor hold (the gear would be {TIED_UP.english}); release one of "
             "the engaged shift elements, or exchange the links of the freewheel if its direction "
             "is wrong",
+        )
+
+
+def drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Message]:
+    """Warn of drag at links or shift elements whose speed is unknown.
+
+    A single drag on otherwise unloaded links brings them to rest, so it needs no warning.
+    """
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    unknown = unknown_drag(results.case, gear, speeds, slips)
+    is_at_rest = len(unknown) == 1 and results.gear_at(number).unloaded
+    if unknown and results.calculable[number] and not is_at_rest:
+        yield Message(
+            "W412",
+            f"the drag of {spoken(unknown)} is ignored, because the speed there is indeterminate; "
+            "give this speed in the gear",
         )
