@@ -17,7 +17,7 @@ from vstatics.torsion.pictures.orders.resonances import GearMode, by_number, is_
 
 GEARS_WIDTH = 96.0
 """Width at which the names of gears are wrapped. [pt]"""
-COLUMN_GAP = 12.0
+TABLE_GAP = 12.0
 """Gap between columns. [pt]"""
 HEADING_HEIGHT = height("\n") + 4.0
 """Height of two lines of headings. [pt]"""
@@ -65,7 +65,7 @@ class ResonanceTable(NamedTuple):
     @property
     def wide(self) -> float:
         """Width of the table [pt]."""
-        return sum(self._widths) + COLUMN_GAP * (len(self.headings) - 1)
+        return sum(self._widths) + TABLE_GAP * (len(self.headings) - 1)
 
     @property
     def _widths(self) -> list[float]:
@@ -84,7 +84,7 @@ class ResonanceTable(NamedTuple):
         for wide in self._widths:
             x += wide
             ends.append(x)
-            x += COLUMN_GAP
+            x += TABLE_GAP
         style, y = self.style, top - HEADING_HEIGHT + 2
         for end, heading, fires in zip(ends, self.headings, self.fires, strict=True):
             colour = style.engaged if fires else style.soft
