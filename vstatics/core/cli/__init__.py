@@ -97,7 +97,8 @@ class Commands(LazyGroup):
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
         else:
-            stop.check()
+            if status == DONE:
+                stop.check()
             return status
         return FAILED
 

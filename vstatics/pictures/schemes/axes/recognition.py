@@ -71,7 +71,8 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     >>> [sorted(axis) for axis in parallel_axes(scheme_of(case), case).axes]
     [[1], [2], [3, 4]]
 
-    A mechanism with a ratio above 0 has an idler if another component connects the same axes.
+    A mechanism with a ratio above 0 has an idler if it drives the case of a differential (final
+    drive), or if another component connects the same axes.
 
     >>> pairs = [Mechanism(1, 2, 0, -1.2), Mechanism(1, 3, 0, 2.9)]
     >>> case = Transmission(4, [ShiftElement(2, 4), ShiftElement(3, 4)], pairs, [Gear([2])])
@@ -82,7 +83,7 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     cages = {device.members["third"] for device in scheme.devices if is_bare_differential(device)}
     alike: list[tuple[int, Device]] = []
     for index, device in enumerate(scheme.devices):
-        joint, groups = joint_of(index, device, case, cages)
+        joint, groups = joint_of(index, device, case)
         joints += [joint] if joint else []
         if groups and device.kind == "mechanism" and len(device.members) == 2 == len(groups[0]):
             alike.append((index, device))
@@ -92,7 +93,8 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     for index, device in alike:
         first, second = device.members.values()
         ends = {bodies[first], bodies[second]}
-        if any({bodies[joint.first], bodies[joint.second]} == ends for joint in joints):
+        between = ({bodies[joint.first], bodies[joint.second]} for joint in joints)
+        if second in cages or ends in between:
             sizes = 1.0, device.ratio
             joints.append(AxisJoint(index, "idler", first, second, sizes, FREE_IDLER))
         else:
@@ -132,21 +134,15 @@ def is_bare_differential(device: Device) -> bool:
 
 
 def joint_of(
-    index: int, device: Device, case: Transmission, cages: AbstractSet[int]
+    index: int, device: Device, case: Transmission
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint of a component between two axes, if any, and groups of coaxial links.
-
-    A mechanism with a ratio above 1 that drives the case of a differential (a link in `cages`) is a
-    final drive. Both links turn in the same direction, so the final drive has an idler.
-    """
+    """Return the joint of a component between two axes, if any, and groups of coaxial links."""
     links = [link for link in device.members.values() if link]
     if device.kind == "spring" and not device.is_coupling:
         return _of_spring(index, device, case)
     kind = device.kind
     if kind == "mechanism" and len(device.members) == 2 and device.ratio < 0:
         kind = "gear_pair"
-    if kind == "mechanism" and device.members.get("second") in cages and len(links) == 2:
-        return AxisJoint(index, "idler", links[0], links[1], (1.0, device.ratio), FREE_IDLER), []
     if kind not in MESHED | FAR | CROSSED or len(set(links)) < 2:
         return None, [links]
     sizes, between = (1.0, abs(device.ratio)), 0.0
