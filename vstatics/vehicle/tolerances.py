@@ -27,6 +27,11 @@ LEAST_FORCE_EXCESS = 4e-9
 """Increase of the least wheel force against rounding, relative to least and asked force. [-]"""
 LEAST_OPENING = 1e-11
 """Torque or power of a shift element that counts as 0, relative to its initial value. [-]"""
+APPROACHES = (1e-3, 1e-3, 1e-4, -1.0)
+"""Distances of trial torques from the predicted torque at which a freewheel opens. [-]
+
+They are relative to the distance of the last torque with a solution; the last trial lies beyond.
+"""
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""
 SMALLEST_NUMBER = 1e-15

@@ -28,17 +28,19 @@ from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine, free_converters
-from vstatics.vehicle.tolerances import BELOW_LOCK, LEAST_EXCESS, LOSSLESS, NO_SPEED, SAME_SPEED
+from vstatics.vehicle.tolerances import (
+    APPROACHES,
+    BELOW_LOCK,
+    LEAST_EXCESS,
+    LOSSLESS,
+    NO_SPEED,
+    SAME_SPEED,
+)
 
 INTERVALS = 2
 """Number of intervals between neighbouring points that are searched for sign changes."""
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
-APPROACHES = (1e-3, 1e-3, 1e-4, -1.0)
-"""Distances of trial torques from the predicted torque at which a freewheel opens.
-
-They are relative to the distance of the last torque with a solution; the last trial lies beyond.
-"""
 MOST_DOUBLINGS = 40
 """Largest number of times that a trial torque or force is doubled, to bracket a root."""
 MOST_POINTS_AT_ONCE = 100_000
