@@ -187,9 +187,9 @@ def test_a_pump_turns_back_while_its_turbine_turns(seed: int) -> None:
     torque, speed = rng.uniform(20, 80), rng.uniform(1, 9)
     points = (0.0, 2.2, first), (0.8, 1.05, 2.6e-3), (1.0, 1.0, 0.0), (1.4, 1.0, -last)
     case = links(0.4, 0.05, 1.0, elements=(ShiftElement(2, 3, "C"),))
-    start, controls = {1: speed, 2: -100.0, 3: -100.0}, {1: held(20.0)}
+    start = {1: speed, 2: -100.0, 3: -100.0}
     loads, converters = ((1, constant(-torque)),), (Converter("TC", 1, 2, points),)
-    motion = run(case, 0.2, start, loads, controls, engaged=(1,), converters=converters)
+    motion = run(case, 0.2, start, loads, {1: held(20.0)}, engaged=(1,), converters=converters)
     left = 0.2 - 0.4 * math.atan(speed * math.sqrt(first / torque)) / math.sqrt(torque * first)
     expected = -math.sqrt(torque / last) * math.tan(math.sqrt(torque * last) * left / 0.4)
     assert motion.speeds[-1, 0] == pytest.approx(expected, abs=1e-9)
