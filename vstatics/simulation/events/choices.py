@@ -47,8 +47,8 @@ class ModeChoices:
         """Flags of mechanisms whose slip can jump, because it depends on links without inertia."""
         self.leaping = moves(rows[: self.layout.outside], loose.light)
         """Flags of external torques on links whose speeds can jump."""
-        self.unchosen = range(self.layout.outside, self.layout.curves)
-        """Indices of the linear pieces of converters and of friction, which no choice contains."""
+        self.frictions = range(self.layout.frictions, self.layout.curves)
+        """Indices of the linear pieces of friction over slip, which no choice contains."""
         self.within = AHEAD * system.scenario.span
         """Length of the look-ahead, the time after which margins are compared with now. [s]"""
         self.carrying: dict[int, bool] = {}

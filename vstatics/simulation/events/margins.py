@@ -533,10 +533,11 @@ class Margins:
         """Return `watch`; its side leads to the next state.
 
         This is the direction in which a mechanism at rest would move, or the number of pieces to
-        the piece of a converter, which are all pieces if the speed of the pump changes its sign.
+        the piece of a converter, which are all pieces if the speed of the pump changes its sign. It
+        is one piece if links have no inertia, because trials can move these to any speed.
         """
-        layout = self.equations.layout
-        if watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:
+        layout, is_heavy = self.equations.layout, not self.equations.light
+        if is_heavy and watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:
             converter = self.equations.system.converters[watch.of - layout.outside]
             speeds = self.equations.speeds(time, state).tolist()
             pump, turbine = (speeds[link - 1] for link in converter.links)

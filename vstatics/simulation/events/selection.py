@@ -280,7 +280,7 @@ class ModeSelection:
             turning = [
                 watch
                 for watch in failing
-                if only or watch.kind == "flow" or watch.of in self.choices.unchosen
+                if only or watch.kind == "flow" or watch.of in self.choices.frictions
             ]
             states = turned(states, turning)
         return None, failing
