@@ -5,9 +5,10 @@ from __future__ import annotations
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from types import FrameType
+from typing import Any
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
@@ -64,7 +65,9 @@ def stoppable() -> Iterator[Stop]:
     def receive(number: int, frame: FrameType | None) -> None:
         if number in ENDING:
             stop.error = StoppedError(number)
-        if AGAIN and _is_import(frame):
+        if stop.error is None:  # the timer belongs to an outer block or another program
+            _call(before[signal.Signals(number)], number, frame)
+        elif AGAIN and _is_import(frame):
             _set_timer(SIGNAL_DELAY)
         else:
             stop.check()
@@ -76,16 +79,27 @@ def stoppable() -> Iterator[Stop]:
             hook(unraisable)
 
     hook, sys.unraisablehook = sys.unraisablehook, report_dropped
-    before = {number: signal.signal(number, receive) for number in (*ENDING, *AGAIN)}
+    numbers = (*ENDING, *AGAIN)
+    before = dict(zip(numbers, map(signal.getsignal, numbers), strict=True))
+    _set_handlers(dict.fromkeys(numbers, receive))
     try:
         yield stop
     finally:
-        waiting = _set_timer(0)
-        for number, handler in before.items():
-            signal.signal(number, handler)
+        waiting = stop.error is not None and _set_timer(0)
+        _set_handlers(before)
         sys.unraisablehook = hook
     if waiting:
         stop.check()
+
+
+def _set_handlers(handlers: Mapping[signal.Signals, Any]) -> None:
+    for number, handler in handlers.items():
+        signal.signal(number, handler)
+
+
+def _call(handler: Any, number: int, frame: FrameType | None) -> None:
+    if callable(handler):
+        handler(number, frame)
 
 
 def _set_timer(delay: float) -> bool:
