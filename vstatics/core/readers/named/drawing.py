@@ -47,7 +47,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             instead = f", expected it or `links`, whose {which} link is the {end}"
             spots.missing(Spot((), "", root), end, instead)
     parts = arguments(values, walk)
-    all_problems = list(spots.document.problems)
+    all_problems = [*spots.document.problems, *spots.document.warnings]
     locate: Callable[[Problem], Problem] = spots.locate
     if any(path and path[0] in _DRAWN for path in spots.unreadable):
         spots.unreadable += _dependent(given)

@@ -43,7 +43,6 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = document.mapping(within_result(root), expected)
-    document.problems += document.warnings
     walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
     masses = any(
@@ -70,7 +69,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         gathered = None if is_listed(root) else gathered_links(root, walk)
     values = walk.read(Spot((), "", root), shape)
     parts = arguments(values, walk)
-    problems = document.problems
+    problems = [*document.problems, *document.warnings]
     if gathered is not None:
         parts["links"] = len(gathered)
         problems = [*problems, *loose_links(root, values, gathered, parts["gears"], walk.spots)]
