@@ -187,7 +187,7 @@ def test_a_machine_that_cannot_be_is_refused_at_its_place() -> None:
 
 @examples(2, 6, 200)
 def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone(examples: int) -> None:
-    """Each step is driven alone in each gear that the engine can drive at its speed."""
+    """Each step is driven alone in each gear; gears with too slow an engine do not count."""
     chance, clutches = seeded(69), [ShiftElement(1, 2), ShiftElement(1, 3)]
     compared = 0
     for _ in range(examples):
