@@ -163,7 +163,7 @@ def test_numbers_of_numpy_are_numbers_of_formulas() -> None:
         ("5*omega", r"read `omega`, .*; did you mean `speed`\?"),
         # log is the natural logarithm, but others expect log10: beltoforion/muparser/issues/24
         ("5*log10(t)", r"there is no function `log10`, .*; write log10 as `log\(x\)/log\(10\)`"),
-        # steps: github.com/tranleduy2000/ncalc/issues/32
+        # rounded numbers as steps, in github.com/tranleduy2000/ncalc/issues/32
         ("5*floor(t)", r"there is no function `floor`, .*; no function rounds, so write steps as"),
         ("t % 2", r"read `%` after `t`, expected an operator .*; no function rounds"),
         # codeplea/tinyexpr/issues/37: products without a sign
