@@ -127,7 +127,7 @@ MADE_CAPACITY = 1e-9
 MISSING_MASS = 1e-3
 """Fraction of a vehicle's mass that can be missing in the inertia of its link."""
 WHOLE_TURNS = 1e-2
-"""Difference from a whole number of turns up to which points over an angle probably repeat."""
+"""Largest difference from whole turns at which points over an angle are meant to repeat. [-]"""
 LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for quantiles of a normal distribution, which are infinite at 0."""
 

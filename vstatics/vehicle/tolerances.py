@@ -30,7 +30,8 @@ LEAST_OPENING = 1e-11
 APPROACHES = (1e-3, 1e-3, 1e-4, -1.0)
 """Distances of trial torques from the predicted torque at which a freewheel opens. [-]
 
-They are relative to the distance of the last torque with a solution; the last trial lies beyond.
+They are relative to the distance of the latest torque with a solution. The last trial has a
+negative distance: it is on the other side of the prediction.
 """
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""

@@ -60,7 +60,7 @@ def test_a_load_starts(load: Resistance | Road) -> None:
     assert motion.events[0].time == pytest.approx(1.0)
 
 
-def test_what_is_rounding_beside_the_largest_is_left_out_or_0() -> None:
+def test_rounding_noise_is_left_out_or_printed_as_0() -> None:
     case = links(1.0)
     motion = run(case, 1.0, {1: 0.0}, ((1, constant(1.0)),))._replace(
         events=(Event(0.5, "D", "impact", 3e-9, "closes"),),

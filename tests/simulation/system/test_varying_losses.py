@@ -194,8 +194,8 @@ mechanisms:
 """
 
 
-def test_a_formula_has_no_torque_in_the_trials_of_a_block_that_slips_apart() -> None:
-    """Then ``dw_a/dt + 1.5 dw_b/dt = 2.5 dw_c/dt`` determines the torque -m of the gear set."""
+def test_a_block_slips_apart_although_a_formula_has_no_torque_in_trials() -> None:
+    """At the end ``dw_a/dt + 1.5 dw_b/dt = 2.5 dw_c/dt`` determines the torque -m of the set."""
     text = "start: {speeds: {a: 100, b: 100, c: 100}, engaged: [C]}\nduration: 0.12\n"
     text += "controls: {C: [[0, 209], [0.1, 0]], B: 344}\ntorques: {a: 22, c: -40}\n"
     motion, m = simulated(text, BLOCK), 200.0

@@ -98,7 +98,7 @@ class Commands(LazyGroup):
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
         else:
             if status == DONE:
-                stop.check()
+                stop.check()  # Python can have dropped the error of a signal
             return status
         return FAILED
 

@@ -103,7 +103,7 @@ def _call(handler: Any, number: int, frame: FrameType | None) -> None:
 
 
 def _set_timer(delay: float) -> bool:
-    """Signal after a delay, or not if it is 0, and return whether a signal was still to come."""
+    """Set the timer to a delay in seconds (0: stop it), and return whether it was running."""
     return bool(AGAIN) and signal.setitimer(signal.ITIMER_REAL, delay)[0] > 0
 
 

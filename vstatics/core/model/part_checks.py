@@ -413,7 +413,12 @@ def sets_side_by_side(
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    """Warn about a ratio that is allowed but unusual for a planetary gear set."""
+    """Warn about a ratio that is allowed but unusual for a planetary gear set.
+
+    >>> [warning] = doubtful(Mechanism(1, 2, 3, 2.5), ())
+    >>> warning.message
+    'ratio 2.5 is not the basic ratio of a simple planetary gear set, which is negative, so ...'
+    """
     ratio = mechanism.ratio
     if mechanism.third == HOUSING:  # a gear pair, shaft, variator or converter
         return

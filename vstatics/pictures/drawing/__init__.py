@@ -6,6 +6,6 @@ contains the lines, areas and texts of a page. `metrics` measures letters, `lett
 lines of a text, and `labels` places texts. `pen` draws on a canvas, also the scales of panels;
 `ends` names lines at the edges of panels, and `head` is the heading above them. `gear_state`
 contains the state of a gear as pictures show it; `free` finds places for texts within a panel;
-`join` puts pictures of two cases on one sheet. `svg` writes a canvas as SVG, `figures` as a figure
-of matplotlib, and `files` in any format.
+`pages` divides parts into rows and pages; `join` puts pictures of two cases on one sheet. `svg`
+writes a canvas as SVG, `figures` as a figure of matplotlib, and `files` in any format.
 """

@@ -40,9 +40,9 @@ def simulate_command(asked: SimulateOptions) -> int:
 
     SCENARIO is a YAML file with a case, a duration and an initial state. Shifts, or
     capacities of shift elements and external torques over time, determine the run. CASE
-    replaces the case of the scenario. Text has the events, the energies and the largest
+    replaces the case of the scenario. Text output lists the events, energies and largest
     torques. A CSV, JSON, NPZ or Parquet file has the speeds, slips and torques over time.
-    --out adds columns to it:
+    --out adds columns to the file:
 
     \b
       accelerations, jerks, powers       of links
@@ -53,8 +53,8 @@ def simulate_command(asked: SimulateOptions) -> int:
                                          of a link with a road
 
     A simulation that stops early prints the time and the reason, and writes the results so
-    far. With --samples, text has means, standard deviations and quantiles of torques and
-    energies, and a file has a row for each run.
+    far. With --samples, text output lists means, standard deviations and quantiles of
+    torques and energies, and a file has a row for each run.
 
     \b
     Examples:

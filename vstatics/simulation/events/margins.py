@@ -530,11 +530,12 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return `watch`; its side leads to the next state.
+        """Return `watch` with the side on which the next state is.
 
-        This is the direction in which a mechanism at rest would move, or the number of pieces to
-        the piece of a converter, which are all pieces if the speed of the pump changes its sign. It
-        is one piece if links have no inertia, because trials can move these to any speed.
+        For a mechanism at rest, the side is the direction in which it would move. For a converter,
+        the side is the number of pieces from the present piece to the next; if the speed of the
+        pump changes its sign, this is the opposite end of the points. If any link has no inertia,
+        the next piece is a neighbour, because trials can move such links to any speed.
         """
         layout, is_heavy = self.equations.layout, not self.equations.light
         if is_heavy and watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:

@@ -17,7 +17,7 @@ _MOST_TORQUE_CORNERS = 3000
 _MOST_ROOM = 10.0
 """Largest result of linear programming for the smallest slack, relative to the largest slack."""
 _MOST_EXCHANGES = 30
-"""Largest number of steps from the best split of other slacks; it is usually 0 to 3."""
+"""Largest number of simplex steps from the latest best split; usually, 0 to 3 are needed."""
 KnownLimits: TypeAlias = dict[tuple[int, bytes], tuple[Integers, Floats]]
 """Limits with equal slacks in the latest best split, and their inverse matrix, by directions.
 

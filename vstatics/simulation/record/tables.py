@@ -64,7 +64,7 @@ def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
 
 
 def _is_printed(cell: Cell) -> bool:
-    """Return False for a number that is 0, or rounding noise that is printed as 0."""
+    """Return whether a number has a digit other than 0; rounding noise is printed as 0."""
     return bool(cell.text.strip("0."))
 
 

@@ -162,10 +162,11 @@ def _kept_ratios(scenario: Scenario) -> Iterator[Problem]:
 def _single_turns(scenario: Scenario) -> Iterator[Problem]:
     """Yield a note on torques whose points span whole turns of their link, but do not repeat.
 
-    >>> crank = [(1, Points((0.0, 3.0, 6.283), (0.0, 5.0, 1.0), "angle"))]
+    >>> ends = ((1, 6.283), (2, 9.42), (2, 0.01))  # one turn, one and a half, and a part of a turn
+    >>> torques = [(link, Points((0.0, end), (5.0, 1.0), "angle")) for link, end in ends]
     >>> from vstatics import Gear
     >>> case = Transmission(2, [], [], [Gear()])
-    >>> scenario = Scenario(case, 9.0, Start(speeds={1: 1.0}), {}, torques=crank)
+    >>> scenario = Scenario(case, 9.0, Start(speeds={1: 1.0}), {}, torques=torques)
     >>> [(problem.id, problem.path) for problem in _single_turns(scenario)]
     [('N616', ('torques', '1'))]
     """

@@ -62,7 +62,7 @@ class ScenarioFile(NamedTuple):
     reading: Reading
     """Case as read, with its warnings."""
     spots: Spots
-    of_texts: Sequence[Problem] = ()
+    text_doubts: Sequence[Problem] = ()
     """Warnings about texts that a comment cuts off, and notes about start speeds without a unit."""
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
@@ -77,7 +77,7 @@ class ScenarioFile(NamedTuple):
     @property
     def doubts(self) -> list[Problem]:
         """Warnings and notes about the scenario, with their positions in the document."""
-        every = (*self.of_texts, *scenario_doubts(self.scenario))
+        every = (*self.text_doubts, *scenario_doubts(self.scenario))
         doubts = not_allowed(every, self.scenario.case.untold)
         return [*map(self.locate, doubts)]
 
@@ -175,8 +175,8 @@ class ScenarioDocument(NamedTuple):
                 )
             )
         name, description = values.get("name", ""), values.get("description", "")
-        of_texts = [*self.decoded.warnings, *builder.doubts]
-        return ScenarioFile(scenario, name, description, samples, reading, spots, of_texts)
+        doubts = [*self.decoded.warnings, *builder.doubts]
+        return ScenarioFile(scenario, name, description, samples, reading, spots, doubts)
 
     def _words(self, case: Transmission) -> Vocabulary:
         """Return the names that formulas can use; `with_case` reports faults later."""

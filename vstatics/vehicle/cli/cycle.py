@@ -97,8 +97,8 @@ def _choice(
         "--strategy",
         type=click.Choice(["least-loss"]),
         help="Engage in each time step the gear in which engine or battery supplies the least "
-        "energy, or absorbs the most when braking, within full load. The engine has at least "
-        "--least-speed (default: its first point), if a gear allows it.",
+        "energy, or absorbs the most when braking, within full load. If a gear allows it, the "
+        "engine turns at --least-speed or faster (default: its first full-load point).",
     ),
 )
 @under(

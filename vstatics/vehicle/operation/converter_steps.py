@@ -112,7 +112,8 @@ class ConverterSteps(NamedTuple):
 
         In these steps the wheels overrun a freewheel and do not drive the turbine. The drag of the
         turbine needs more torque than the pump takes at the free ratio, so the speed ratio is
-        smaller. It follows from the wheel force at which the freewheel carries no torque.
+        smaller. It follows from the wheel force at which the freewheel carries no torque. Steps
+        without such a speed ratio are left out.
         """
         taken, direction = self.converter.taken(engine, self._output[rows])
         brought = self._from_engine(rows, engine, torques)[:, self.converter.row]

@@ -44,7 +44,7 @@ def cycle(  # noqa: PLR0913
         Road speeds of upshifts and downshifts: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     strategy : {"least-loss"}, optional
         Choose in each step the gear that needs the least energy of engine or battery, within full
-        load and with the engine at `least_speed` (by default its first point) or faster.
+        load and with the engine at `least_speed` (by default its first full-load point) or faster.
     fuel : path-like or FuelMap, optional
         CSV with the columns speed, torque and fuel; the file that a case names is not read.
 

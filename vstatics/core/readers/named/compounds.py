@@ -73,7 +73,7 @@ _OF_OTHERS = {
     ("traction", "grip", "mu", "drive_axle_weight_frac"): ("rolling", "tyres never slip here"),
     ("rule", "haibach", "k_2", "k2"): (
         "threshold",
-        "a damage has a single `exponent`, down to `threshold` (Miner's rule)",
+        "`exponent` applies to all stresses down to `threshold` (Miner's rule)",
     ),
     ("ultimate", "uts", "goodman", "gerber", "mean"): (
         "asymmetry",

@@ -78,12 +78,12 @@ def count(text: str) -> int:
     (48, 48)
     >>> count("-70")  # standards count the teeth of internal gears as negative
     Traceback (most recent call last):
-    ValueError: expected a whole number from 1 (without a sign, also the teeth of a ring)
+    ValueError: expected a whole number from 1 (without a sign, even for a ring gear)
     """
     digits, _, decimals = text.partition(".")
     number = None if decimals.strip("0") else link_number(digits)
     if not number:
-        sign = " (without a sign, also the teeth of a ring)" * text.startswith(("-", "+"))
+        sign = " (without a sign, even for a ring gear)" * text.startswith(("-", "+"))
         raise ValueError(f"expected a whole number from 1{sign}")
     return number
 

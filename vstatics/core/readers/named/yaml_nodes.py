@@ -206,7 +206,7 @@ class _Builder:
         plain = not event.style and event.tag not in ("!", _STANDARD + "str")
         text = event.value
         if plain and _CUT.match(self.document.text, event.end_mark.index) and text[:1].isalpha():
-            message = f"text '{shown(text)}' ends at ` #`, expected quotes if more belongs to it"
+            message = f"read '{shown(text)}'{_COMMENT_HINT}"
             place = self.document.source.place(line, column)
             self.document.warnings.append(Problem("W104", message, (), place))
         return Scalar(text, line, column, plain)

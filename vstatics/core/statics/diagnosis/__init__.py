@@ -3,9 +3,9 @@
 `messages` derives the messages from the `Results` of a single case, and `regular_gears` recognises
 gears whose speeds and torques exist and are unique. Most cases need no other module of the package.
 `freedom` counts the degrees of freedom of the train and the constraints on its speeds. Messages
-about speeds are in `unknown_speeds` (with `overrunning` freewheels) and `contradictions`, those
-about torques in `unknown_torques` and `power_directions`. `further_outputs` reports outputs
-besides the first.
+about speeds are in `unknown_speeds` (with `overrunning` freewheels) and `contradictions`, and
+messages about torques in `unknown_torques` and `power_directions`. `further_outputs` reports
+outputs after the first.
 """
 
 from __future__ import annotations

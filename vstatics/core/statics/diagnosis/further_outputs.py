@@ -1,4 +1,4 @@
-"""Messages about outputs besides the first that take no power."""
+"""Messages about outputs after the first that lack a value, or through which power enters."""
 
 from __future__ import annotations
 
