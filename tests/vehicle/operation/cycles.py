@@ -1,7 +1,9 @@
 """Driving cycles, written as the rows of a trace."""
 
+import math
+
 from vstatics import Transmission
-from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.drive_cycle import CycleEnergy, DriveCycle, drive
 from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import Trace, read_trace
 
@@ -15,6 +17,11 @@ def timed(rows: str) -> Trace:
 def around(speed: float, half: float, time: float = 1.0) -> str:
     """Return the rows of a step from ``speed - half`` to ``speed + half``."""
     return f"0,{speed - half}\n{time},{speed + half}"
+
+
+def spent(energy: CycleEnergy) -> float:
+    """Return the energy that engine or machine must give [J]."""
+    return energy.wheels + energy.inertias + energy.brakes + math.fsum(energy.lost.values())
 
 
 def cycled(case: Transmission, trace: Trace | str) -> DriveCycle:

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from tests.chance import count, examples, generator
 from tests.commands import vstatics
 from tests.installed import needs
-from tests.vehicle.operation.cycles import around, cycled, timed
+from tests.vehicle.operation.cycles import around, cycled, spent, timed
 from vstatics import CaseError, Gear, Load, Machine, Mechanism, Transmission, loads, solve
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
@@ -253,8 +253,7 @@ def test_a_cycle_is_as_step_by_step(seed: int, is_split: bool) -> None:
     energy = driven.energy
     given = (energy.machine if car.machine else energy.engine) or 0.0
     assert energy.brakes == pytest.approx(brakes, rel=1e-7, abs=1e-3)
-    total = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
-    assert given == pytest.approx(total, rel=1e-9)
+    assert given == pytest.approx(spent(energy), rel=1e-9)
     factor = car.final_drive / car.radius
     lost = 0.0
     for n, step in zip(moving, steps, strict=True):

@@ -11,7 +11,7 @@ import pytest
 
 from tests.chance import each_seed, seeded
 from tests.commands import vstatics
-from tests.vehicle.operation.cycles import cycled, timed
+from tests.vehicle.operation.cycles import cycled, spent, timed
 from vstatics import (
     CaseError,
     Gear,
@@ -110,8 +110,7 @@ def test_random_cycles_are_in_balance(seed: int) -> None:
     rows = [(2.0 * n, rng.choice([0.0, rng.uniform(1, 30)]), rng.choice("12")) for n in range(9)]
     made = cycled(case, trace(*rows))
     parts = made.energy
-    total = parts.wheels + parts.inertias + parts.brakes + math.fsum(parts.lost.values())
-    assert parts.engine == pytest.approx(total, rel=1e-9, abs=1e-6)
+    assert parts.engine == pytest.approx(spent(parts), rel=1e-9, abs=1e-6)
     assert parts.brakes >= 0
 
 
@@ -533,8 +532,7 @@ def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
     energy = driven.energy
     assert [energy.engine, energy.lost.get("slip.A", 0)] == pytest.approx([engine, slip])
     assert energy.brakes == pytest.approx(brakes)
-    given = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
-    assert energy.engine == pytest.approx(given, rel=1e-9)
+    assert energy.engine == pytest.approx(spent(energy), rel=1e-9)
     faster = cycled(case, "0,5,low\n4,9,low")
     assert faster.energy.brakes == pytest.approx(0, abs=1e-6)
 

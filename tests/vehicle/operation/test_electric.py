@@ -13,7 +13,7 @@ from tests.chance import examples, seeded
 from tests.commands import json_answer, vstatics
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from tests.rejects import rejects
-from tests.vehicle.operation.cycles import cycled, timed
+from tests.vehicle.operation.cycles import cycled, spent, timed
 from vstatics import (
     CaseError,
     Gear,
@@ -117,9 +117,7 @@ def test_energies_add_up_with_a_loss_of_the_gear(examples: int) -> None:
         assert use is not None
         assert energy.battery == pytest.approx(use.out - use.returned, rel=1e-12)
         assert energy.battery == pytest.approx(math.fsum(parts), rel=1e-12)
-        assert energy.machine == pytest.approx(
-            energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values()), rel=1e-9
-        )
+        assert energy.machine == pytest.approx(spent(energy), rel=1e-9)
         entering = zip(found.steps["speed [rpm]"], found.steps["torque [N*m]"], strict=True)
         value = interpolated(columns, rows)
         braked = [
