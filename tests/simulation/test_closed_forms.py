@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -55,7 +56,7 @@ def run(  # noqa: PLR0913 - what a scenario has
     duration: float,
     speeds: dict[int, float],
     torques: tuple[tuple[int, TorqueLaw], ...] = (),
-    controls: dict[int, Control] | None = None,
+    controls: Mapping[int, Control] | None = None,
     *,
     engaged: tuple[int, ...] = (),
     converters: tuple[Converter, ...] = (),
@@ -220,7 +221,7 @@ def test_redundant_clutches_share_what_they_hold() -> None:
     pair = (ShiftElement(1, 2, "A"), ShiftElement(1, 2, "B"))
     case = links(1.0, 1.0, elements=pair)
     ramp = points((0, 0), (2, 200))
-    controls: dict[int, Control] = {1: held(30), 2: held(50)}
+    controls = {1: held(30), 2: held(50)}
     for end, torques in ((1.0, [25, 25]), (1.4, [30, 40])):
         motion = run(case, end, {1: 5.0, 2: 5.0}, ((1, ramp),), controls, engaged=(1, 2))
         assert not motion.events
@@ -234,7 +235,7 @@ def test_redundant_clutches_share_what_they_hold() -> None:
 
 def test_two_lock_at_one_instant() -> None:
     pair = (ShiftElement(1, 0, "A"), ShiftElement(2, 0, "B"))
-    controls: dict[int, Control] = {1: held(5), 2: held(5)}
+    controls = {1: held(5), 2: held(5)}
     motion = run(links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls=controls)
     assert [one[1] for one in happened(motion)] == ["locks", "locks"]
     assert [one[2] for one in happened(motion)] == pytest.approx([2, 2], abs=EXACT)
