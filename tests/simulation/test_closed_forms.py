@@ -30,7 +30,6 @@ from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import (
     Formula,
     Motion,
-    Resistance,
     Road,
     Scenario,
     Start,
@@ -78,19 +77,6 @@ def test_a_torque_that_dies_away_acts_however_long_the_run(duration: float) -> N
     motion = run(links(2.0), duration, {1: 100.0}, ((1, Formula("10*exp(-t)")),))
     assert motion.speeds[-1, 0] == pytest.approx(100 - 10 / 2 * math.expm1(-duration), rel=1e-10)
     assert motion.energy.balance == pytest.approx(0, abs=1e-6)
-
-
-def test_coast_down_to_rest() -> None:
-    """J dw/dt = -c w - R: rests at t = J/c ln(1 + c w0/R), and stays."""
-    case = links(2.0)
-    laws: tuple[tuple[int, TorqueLaw], ...] = ((1, Formula("-0.5*speed")), (1, Resistance(30.0)))
-    motion = run(case, 8.0, {1: 100.0}, laws)
-    rest = 2 / 0.5 * math.log(1 + 0.5 * 100 / 30)
-    assert happened(motion) == [("1", "locks", pytest.approx(rest, abs=EXACT))]
-    assert motion.speeds[-1, 0] == 0
-    # what it turned: J (w0 - R/c ln(1 + c w0/R))/c
-    angle = 2 * (100 - 60 * math.log(1 + 50 / 30)) / 0.5
-    assert motion.energy.heat["1"] == pytest.approx(30 * angle, rel=EXACT)
 
 
 @pytest.mark.parametrize("freewheel", ["", "F: {kind: freewheel, links: [ring, housing]}"])
