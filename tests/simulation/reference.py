@@ -29,6 +29,11 @@ def mechanism_column(mechanism: Mechanism, links: int, exponent: float = 0.0) ->
     return column[1:]
 
 
+def mechanism_columns(case: Transmission) -> list[Floats]:
+    """Return the columns of all mechanisms of a case."""
+    return [mechanism_column(one, case.links) for one in case.mechanisms]
+
+
 def element_column(element: ShiftElement, links: int) -> Floats:
     """Slip = first less second."""
     column = np.zeros(links + 1)
@@ -39,7 +44,7 @@ def element_column(element: ShiftElement, links: int) -> Floats:
 
 def start_speeds(case: Transmission, speeds: dict[int, float], engaged: Iterable[int]) -> Floats:
     """The speeds of all links that the mechanisms, engaged elements and given speeds allow."""
-    rows = [mechanism_column(one, case.links) for one in case.mechanisms]
+    rows = mechanism_columns(case)
     rows += [element_column(case.shift_elements[n - 1], case.links) for n in engaged]
     right = [0.0] * len(rows) + list(speeds.values())
     rows += [np.eye(case.links)[link - 1] for link in speeds]
@@ -83,7 +88,7 @@ def smoothed(
     """Integrate from start speeds; return speeds [rad/s] and heat of elements [J] at the end."""
     case, links = scenario.case, scenario.case.links
     inertia = np.array([case.inertias[n] for n in range(1, links + 1)])
-    gear = np.array([mechanism_column(one, links) for one in case.mechanisms])
+    gear = np.array(mechanism_columns(case))
     slip = np.array([element_column(one, links) for one in case.shift_elements])
     basis = null_space(gear)
     inverse = basis @ np.linalg.inv((basis.T * inertia) @ basis) @ basis.T

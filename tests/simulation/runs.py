@@ -6,7 +6,7 @@ import numpy as np
 from scipy.linalg import null_space
 
 from tests.simulation.boxes import points
-from tests.simulation.reference import mechanism_column
+from tests.simulation.reference import mechanism_columns
 from tests.trains import no_losses, random_train
 from vstatics import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
@@ -27,7 +27,7 @@ from vstatics.simulation.scenario.parts import Control
 def random_box(rng: Random, *, losses: bool = False) -> Transmission:
     while True:
         case = random_train(rng, regular=True, gears=1, coast=False)
-        columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
+        columns = np.array(mechanism_columns(case))
         if np.linalg.matrix_rank(columns) == len(columns) < case.links:
             break
     case = case if losses else no_losses(case)
@@ -37,7 +37,7 @@ def random_box(rng: Random, *, losses: bool = False) -> Transmission:
 
 
 def allowed_speeds(case: Transmission, rng: Random) -> Floats:
-    columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
+    columns = np.array(mechanism_columns(case))
     basis = null_space(columns)
     speeds: Floats = basis @ np.array([rng.uniform(-100, 100) for _ in range(basis.shape[1])])
     return speeds

@@ -32,11 +32,10 @@ from vstatics.simulation import (
     simulate,
 )
 from vstatics.simulation.published.tarasik import tarasik
-from vstatics.simulation.scenario.parts import Control
 
 PACK = Friction(radius=0.1, area=0.006, surfaces=8, coefficient=((0.0, 0.1),))
 FALLING = PACK._replace(coefficient=((0.0, 0.1), (10.0, 0.05)))
-PRESSURE: dict[int, Control] = {1: Capacity(constant(1e4))}
+PRESSURE = {1: Capacity(constant(1e4))}
 """4.8 N*m by a coefficient of .1: 1e4 * .006 * .1 * 8 * .1."""
 
 
@@ -87,7 +86,7 @@ def test_either_of_two_clutches_could_break_away(factor: float) -> None:
     """
     pair = ShiftElement(1, 2, "C1", static=1.2 * factor), ShiftElement(2, 3, "C2", static=1.2)
     case, ramp = links(1.0, 0.0, 3.0, elements=pair), Points((0.0, 1.0), (0.0, 200.0), "time")
-    controls: dict[int, Control] = dict.fromkeys((1, 2), Capacity(constant(50.0)))
+    controls = dict.fromkeys((1, 2), Capacity(constant(50.0)))
     motion = run(case, 0.6, dict.fromkeys((1, 2, 3), 10.0), ((1, ramp),), controls)
     [event] = motion.events
     assert event.time == pytest.approx(60 / 150, rel=1e-9)

@@ -6,7 +6,6 @@ anything between both while it holds. Changes of the state are events of `solve_
 """
 
 import math
-from collections.abc import Callable
 from itertools import pairwise
 from random import Random
 from typing import Any, NamedTuple
@@ -14,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.control.written import simulated
@@ -82,32 +82,30 @@ class Lossy(NamedTuple):
         time, sign, found = 0.0, 0, list[tuple[str, float]]()
         while time < self.duration:
             if sign:
-                time = self._zero(time, lambda _, y: y[0], sign)
-                found += [("sticks", time)] if self._rests(time) and time < self.duration else []
-                sign = 0 if self._rests(time) else -sign
+                time = self._zero(time, sign)
+                rests = self._margin(time) >= 0
+                found += [("sticks", time)] if rests and time < self.duration else []
+                sign = 0 if rests else -sign
                 continue
-            if self._rests(time + 1e-9):
-                grid = np.linspace(time + 1e-9, self.duration, 20001)
-                moving = [at for at in grid.tolist() if not self._rests(at)]
-                if not moving:
+            if self._margin(time + 1e-9) >= 0:
+                grid = np.linspace(time + 1e-9, self.duration, 20001).tolist()
+                moves = [n for n, at in enumerate(grid) if self._margin(at) < 0]
+                if not moves:
                     break
-                low, high = moving[0] - (grid[1] - grid[0]), moving[0]
-                for _ in range(60):
-                    middle = (low + high) / 2
-                    low, high = (middle, high) if self._rests(middle) else (low, middle)
-                time = high
+                time = brentq(self._margin, grid[moves[0] - 1], grid[moves[0]])
                 found.append(("moves", time))
             sign = 1 if self.acceleration(time + 1e-9, 1) > 0 else -1
         return found
 
-    def _rests(self, time: float) -> bool:
-        return self.acceleration(time, 1) <= 0 <= self.acceleration(time, -1)
+    def _margin(self, time: float) -> float:
+        """Return the smaller acceleration towards rest, at least 0 where it stays at rest."""
+        return min(-self.acceleration(time, 1), self.acceleration(time, -1))
 
-    def _zero(self, begin: float, of: Callable[[float, np.ndarray], float], sign: int) -> float:
-        """When it comes to rest, or the end."""
+    def _zero(self, begin: float, sign: int) -> float:
+        """Return when it comes to rest, or the end."""
 
-        def stops(time: float, state: np.ndarray) -> float:
-            return of(time, state) + sign * 1e-14
+        def stops(_: float, state: np.ndarray) -> float:
+            return float(state[0]) + sign * 1e-14
 
         stops.terminal, stops.direction = True, -sign  # type: ignore[attr-defined]
         span = begin, self.duration

@@ -7,8 +7,6 @@ values (A. F. Filippov, Differential equations with discontinuous righthand side
 import math
 from functools import partial
 from itertools import product
-from random import Random
-from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -213,64 +211,6 @@ def test_a_run_that_leads_nowhere_is_stopped_at_its_law() -> None:
         stopped = simulate(scenario, watch=wall_limit(20.0)).stopped
         assert stopped is not None
         assert (stopped.id, stopped.path) == (identity, ("torques", "1"))
-
-
-SWITCHES = [
-    "-{0}*sign({1})",
-    "{0}*({1} < 0) - {0}*(0 <= {1})",
-    "-{0}*({1} > 0) + {0}*(not {1} > 0)",
-]
-"""One switch in several words."""
-
-
-class Switch(NamedTuple):
-    """A law that pushes to a speed, which varies with time and angle."""
-
-    size: float
-    """[N*m]"""
-    base: float
-    swing: float
-    rate: float
-    by_angle: float
-
-    def formula(self, words: str) -> Formula:
-        """As a scenario has it."""
-        size, base, swing, rate, by_angle = (f"({part})" for part in self)
-        place = f"{base} + {swing}*sin({rate}*t)"
-        return Formula(words.format(size, f"(speed - ({place} + {by_angle}*angle))"))
-
-    def smooth(self, t: float, speed: float, angle: float) -> float:
-        """With a switch of some width [N*m]."""
-        place = self.base + self.swing * math.sin(self.rate * t) + self.by_angle * angle
-        return -self.size * math.tanh((speed - place) / 1e-5)
-
-
-def random_switch(rng: Random) -> Switch:
-    ranges = (20, 150), (-5, 5), (0, 6), (1, 6), rng.choice([(-4, 0), (0, 0)])
-    return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
-
-
-@seeds_with_slow(3, 18, 150)
-def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
-    """Two links and a damped spring: the same by an integrator that knows no jumps."""
-    rng = seeded(seed)
-    inertias = [rng.uniform(0.5, 5) for _ in range(2)]
-    stiffness, damping = rng.uniform(50, 500), rng.uniform(1, 10)
-    spring = Spring(between(1, 2), stiffness=stiffness, damping=damping)
-    first, second = random_switch(rng), random_switch(rng)
-    start = [rng.uniform(-10, 10) for _ in range(2)]
-    one, other = (each.formula(rng.choice(SWITCHES)) for each in (first, second))
-    laws: Laws = ((1, one), (2, other))
-    motion = run(links(*inertias, springs=(spring,)), 2.0, {1: start[0], 2: start[1]}, laws)
-
-    def change(t: float, state: Floats) -> list[float]:
-        v, w, a, b = state.tolist()
-        sprung = stiffness * (a - b) + damping * (v - w)
-        pushed = first.smooth(t, v, a) - sprung, second.smooth(t, w, b) + sprung
-        return [pushed[0] / inertias[0], pushed[1] / inertias[1], v, w]
-
-    found = solve_ivp(change, (0.0, 2.0), [*start, 0.0, 0.0], "Radau", rtol=1e-9, atol=1e-10)
-    assert motion.speeds[-1] == pytest.approx(found.y[:2, -1], abs=2e-4)
 
 
 def test_a_speed_that_passes_a_jump_for_a_moment_slides() -> None:

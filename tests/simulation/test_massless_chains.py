@@ -48,7 +48,7 @@ def test_where_a_torque_no_longer_changes_with_speed_a_link_follows_its_shaft() 
     case = links(1.0, 0.0, 8.0, springs=(Spring(between(1, 2), 1700.0, name="s"),))
     clutch = (ShiftElement(2, 3, name="C"),)
     case = case.replace(shift_elements=clutch)
-    capacity: dict[int, Control] = {1: Capacity(constant(30.0))}
+    capacity = {1: Capacity(constant(30.0))}
     motion = run(case, 0.1, {1: -90.0, 2: 0.0, 3: 10.0}, ((2, OVER_SPEED),), capacity)
     assert motion.speeds[-1, 1] == pytest.approx(motion.speeds[-1, 0], rel=1e-9)
     assert motion.torques[-1, motion.devices.index("s")] == pytest.approx(-50.0)
@@ -79,7 +79,7 @@ def test_a_link_without_inertia_leaps_to_the_piece_where_torques_balance() -> No
     spring = Spring(between(1, 2), 800.0, name="s", limit=14.0)
     clutch = ShiftElement(2, 3, name="C", stiffness=1e5)
     case = links(2.0, 0.0, 1e3, elements=(clutch,), springs=(spring,))
-    opens: dict[int, Control] = {1: Capacity(Points((0.2, 0.2), (160.0, 0.0), "time"))}
+    opens = {1: Capacity(Points((0.2, 0.2), (160.0, 0.0), "time"))}
     start = {1: -50.0, 2: -80.0, 3: -80.0}
     motion = run(case, 0.4, start, ((2, OVER_SPEED),), opens)
     assert motion.speeds[-1, 1] == pytest.approx(-14 / 0.4)
@@ -98,7 +98,7 @@ def test_an_elastic_clutch_begins_to_slip_either_way() -> None:
     """Its capacity rises from 0 by 100 N*m/s while the first link is the faster one."""
     clutch = ShiftElement(1, 2, name="C", stiffness=30000.0)
     case = links(1.0, 2.0, elements=(clutch,))
-    rising: dict[int, Control] = {1: Capacity(Points((0.1, 0.4), (0.0, 30.0), "time"))}
+    rising = {1: Capacity(Points((0.1, 0.4), (0.0, 30.0), "time"))}
     motion = run(case, 0.4, {1: 100.0, 2: 0.0}, controls=rising)
     assert motion.speeds[-1, 0] == pytest.approx(100 - 100 * 0.3**2 / 2)
 

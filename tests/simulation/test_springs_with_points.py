@@ -32,10 +32,6 @@ def torque(motion: Motion, name: str = "S") -> Floats:
     return motion.torques[:, motion.devices.index(name)]
 
 
-def closes(motion: Motion, size: float) -> bool:
-    return motion.stopped is None and abs(motion.energy.balance) <= 1e-8 * size
-
-
 def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
     """Amplitudes fall by 2 F/k from one to the next, 4 F/k a cycle, until friction holds."""
     stiffness, friction = 500.0, 14.0
@@ -50,7 +46,6 @@ def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
     assert motion.energy.elastic == pytest.approx(stiffness * amplitudes[-1] ** 2 / 2, rel=1e-8)
     assert torque(motion)[-1] == pytest.approx(0.0, abs=1e-6)  # friction bears the spring
     assert not motion.events
-    assert closes(motion, 9.0)
 
 
 def test_in_its_play_a_spring_has_the_torque_of_its_friction_which_can_hold_a_link() -> None:
@@ -96,7 +91,6 @@ def test_a_link_without_inertia_between_springs_passes_their_corners() -> None:
     made = run(row, 0.6, {1: 5.0, 2: 2.0, 3: 0.0})
     expected = run(one, 0.6, {1: 5.0, 2: 0.0})
     assert made.speeds[-1, [0, 2]] == pytest.approx(expected.speeds[-1], rel=1e-8)
-    assert closes(made, 25.0)
 
 
 def random_points(rng: Random) -> Line:

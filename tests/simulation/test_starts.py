@@ -8,7 +8,7 @@ from scipy.linalg import null_space
 
 from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.control.written import faults, simulated
-from tests.simulation.reference import mechanism_column
+from tests.simulation.reference import mechanism_columns
 from tests.simulation.runs import random_box
 from vstatics.simulation import Points, Scenario, simulate
 
@@ -39,7 +39,7 @@ def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
     """By the null space of the mechanisms."""
     rng = seeded(seed)
     case = random_box(rng)
-    columns = np.array([mechanism_column(one, case.links) for one in case.mechanisms])
+    columns = np.array(mechanism_columns(case))
     chosen = free_links(columns, rng)
     ends = np.array([[rng.uniform(-50, 50) for _ in chosen] for _ in range(2)])
     speeds = {

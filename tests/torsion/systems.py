@@ -1,6 +1,6 @@
 """Torsional systems to test with: cases of random trains, and matrices made by hand."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,11 @@ from scipy import linalg
 from vstatics import Damping, Gear, Mechanism, ShiftElement, Spring, Transmission
 
 Array = np.ndarray[Any, np.dtype[Any]]
+
+
+def sprung(links: int, springs: Sequence[Spring], inertias: Mapping[int, float]) -> Transmission:
+    """Return links that springs alone connect."""
+    return Transmission(links, [], [], [], springs=springs, inertias=inertias)
 
 
 def chain(
@@ -22,9 +27,7 @@ def chain(
         for n, (c, d) in enumerate(zip(stiffnesses, given, strict=True), 1)
     ]
     links = len(inertias)
-    return Transmission(
-        links, [], [], [], springs=springs, inertias=dict(enumerate(inertias, 1)), output=links
-    )
+    return sprung(links, springs, dict(enumerate(inertias, 1)))
 
 
 def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Transmission:
@@ -42,7 +45,7 @@ def mounted(
     damping: Damping | float, stiffness: float = 100.0, inertia: float = 1.0
 ) -> Transmission:
     spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
-    return Transmission(1, [], [], [], springs=[spring], inertias={1: inertia})
+    return sprung(1, [spring], {1: inertia})
 
 
 def matrices(case: Transmission) -> tuple[Array, Array, Array]:
@@ -87,7 +90,7 @@ def branched(draw: st.DrawFn) -> Transmission:
         members = draw(st.dictionaries(st.integers(1, links), parts, min_size=1))
         springs.append(Spring(members, stiffness=draw(size), name=f"form {number}"))
     inertias = {n: draw(size) for n in range(1, links + 1)}
-    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
+    return sprung(links, springs, inertias)
 
 
 def with_planetary_set(**others: Any) -> Transmission:

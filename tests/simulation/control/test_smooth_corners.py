@@ -15,10 +15,15 @@ from tests.chance import count, seeded, some
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
 from tests.simulation.control.written import simulated, written
-from vstatics.simulation import simulate
+from vstatics.simulation import Motion, simulate
 
 START = "duration: 1\nstart: {speeds: {a: 50, b: 10}}\n"
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
+
+
+def check_impulse(motion: Motion, impulse: float, near: float = 1e-9) -> None:
+    """Check the speeds after an impulse of the clutch between 1 and 5 kg*m^2 [N*m*s]."""
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=near)
 
 
 FORMS = ["{}", "max({}, 0)", "abs({})", "line({})", "map({}, t)", "min({}, 0.5 + {})"]
@@ -39,8 +44,7 @@ def test_a_control_leaves_zero_as_any_power_of_time(
     tables = "{line: [[0, 0], [2, 2]], map: {columns: [0, 9], rows: [[0, 0, 0], [2, 2, 2]]}}"
     states_and_control = f'states: {{{", ".join(states)}}}\ncontrols: {{C: "7*{control}"}}\n'
     motion = simulated(f"{START}tables: {tables}\n{states_and_control}", ONE_TO_FIVE)
-    impulse = 7 * (1 - begin) ** (order + 1) / math.factorial(order + 1)
-    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
+    check_impulse(motion, 7 * (1 - begin) ** (order + 1) / math.factorial(order + 1))
 
 
 @pytest.mark.parametrize("begin", [0.0, 0.3])
@@ -49,8 +53,7 @@ def test_a_relay_switches_as_a_lag_leaves_its_limit(least: str, begin: float) ->
     """The lag follows max(t - begin, 0), so it is above 0 after `begin`, and C carries 7 N*m."""
     states = f"states: {{x: {{rate: '(max(t - {begin}, 0) - x)/0.2'{least}}}}}\n"
     motion = simulated(f"{START}{states}controls: {{C: 7*(x > 0)}}\n", ONE_TO_FIVE)
-    impulse = 7 * (1 - begin)
-    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-8)
+    check_impulse(motion, 7 * (1 - begin), 1e-8)
 
 
 @pytest.mark.parametrize(("power", "sign"), [(2, 1), (2, -1), (3, 1), (4, 1), (4, -1)])
@@ -65,8 +68,7 @@ def test_a_corner_that_is_touched_or_passed_with_zero_slope(power: int, sign: in
         x = sign * (t - 0.4) ** power
         return 30 * max(x, 0) + 20 * abs(x)
 
-    impulse = quad(capacity, 0, 0.4, epsabs=1e-13)[0] + quad(capacity, 0.4, 1, epsabs=1e-13)[0]
-    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
+    check_impulse(motion, quad(capacity, 0, 1, points=[0.4], epsabs=1e-13)[0])
 
 
 TABLES = [
@@ -123,8 +125,7 @@ def test_a_relay_of_constant_period_goes_on() -> None:
     given = START.replace("duration: 1", "duration: 4") + states
     motion = simulated(f'{given}controls: {{C: "5 + 2*(x > 0)"}}\n', ONE_TO_FIVE)
     # from a crest to the zero 60 q^2/2 = 0.012, so q = 0.02; x > 0 in half of 50 periods 4 q
-    impulse = 4 * 6
-    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-7)
+    check_impulse(motion, 4 * 6, 1e-7)
 
 
 def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() -> None:

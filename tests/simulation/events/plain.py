@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import null_space
 from scipy.optimize import linprog
 
-from tests.simulation.reference import element_column, mechanism_column
+from tests.simulation.reference import element_column, mechanism_column, mechanism_columns
 from vstatics import Gear, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 
@@ -35,7 +35,7 @@ class PlainGear:
         self.elements = [
             element_column(case.shift_elements[number - 1], case.links) for number in gear.engaged
         ]
-        rows = [mechanism_column(one, case.links) for one in case.mechanisms]
+        rows = mechanism_columns(case)
         [shape] = null_space(np.array([*rows, *self.elements])).T
         self.shape: Floats = shape / shape[self.input - 1]
         """Speeds of links by that of the input."""

@@ -17,7 +17,6 @@ from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
-from vstatics.simulation.scenario.parts import Control
 
 
 class Set(NamedTuple):
@@ -44,9 +43,7 @@ def cascade(sets: Sequence[Set], inertias: Mapping[int, float]) -> Transmission:
 def closing(sets: Sequence[Set], inertias: Mapping[int, float], *torques: float) -> Motion:
     """All brakes close within .3 s; torques on both ends."""
     case = cascade(sets, inertias)
-    controls: dict[int, Control] = {
-        number: capacity((0, 0), (0.3, one.capacity)) for number, one in enumerate(sets, 1)
-    }
+    controls = {number: capacity((0, 0), (0.3, one.capacity)) for number, one in enumerate(sets, 1)}
     laws = tuple(zip((1, len(sets) + 1), map(constant, torques), strict=True))
     return simulate(Scenario(case, 0.5, Start(gear="1"), controls, laws))
 
@@ -75,7 +72,7 @@ def test_a_cascade_whose_brakes_close_ends_with_all_rings_at_rest(given: tuple[i
 def test_a_wheel_slips_for_less_than_a_nanosecond(torque: float) -> None:
     """J dw/dt = T - c t: it sticks again at t = 2 T/c, before what is looked ahead by."""
     growth = 1e6 / 0.3
-    brake: dict[int, Control] = {1: capacity((0, 0), (0.3, 1e6))}
+    brake = {1: capacity((0, 0), (0.3, 1e6))}
     case = links(1.0, elements=(ShiftElement(1, 0, "B"),))
     motion = run(case, 0.5, {1: 0.0}, controls=brake, torques=((1, constant(torque)),))
     [event] = motion.events

@@ -18,7 +18,7 @@ from scipy.linalg import null_space
 from tests.chance import count, each_seed, examples, seeded, with_slow
 from tests.commands import CASES
 from tests.simulation.events.plain import PlainGear
-from tests.simulation.reference import element_column, mechanism_column
+from tests.simulation.reference import element_column, mechanism_columns
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, Spring, Transmission, load, solve
 from vstatics.core.model.springs import between
@@ -75,7 +75,7 @@ def random_gear(seed: int) -> tuple[Transmission, Gear, dict[int, float], float]
     while True:
         case = random_train(rng, regular=True, gears=1, coast=False)
         [gear] = case.gears
-        rows = [mechanism_column(one, case.links) for one in case.mechanisms]
+        rows = mechanism_columns(case)
         rows += [element_column(case.shift_elements[n - 1], case.links) for n in gear.engaged]
         free = null_space(np.array(rows))
         if free.shape[1] != 1 or len(rows) != case.links - 1 or case.gear_input(gear) != 1:

@@ -15,7 +15,6 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Dog, Motion, Resistance, Road, constant
 from vstatics.simulation.record.motion import Energy, Event, Peak
 from vstatics.simulation.record.tables import motion_grids
-from vstatics.simulation.scenario.parts import Control
 
 
 def words(motion: Motion) -> list[tuple[str, str | None]]:
@@ -24,7 +23,7 @@ def words(motion: Motion) -> list[tuple[str, str | None]]:
 
 def test_a_dog_clutch_closes_and_opens() -> None:
     case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "D", "dog_clutch"),))
-    dog: dict[int, Control] = {1: Dog(((0.2, True), (0.5, False)))}
+    dog = {1: Dog(((0.2, True), (0.5, False)))}
     motion = run(case, 1.0, {1: 5.0, 2: 3.0}, (), dog)
     assert words(motion) == [("impact", "closes"), ("slips", "opens")]
     assert motion.events[0].energy == pytest.approx(1.0)  # 1/2 (1/2 kg*m^2) (2 rad/s)^2

@@ -8,6 +8,7 @@ import pytest
 
 from tests.chance import count, generator
 from tests.commands import json_answer, vstatics
+from tests.torsion.systems import sprung
 from vstatics import Spring, Transmission
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.numerics.arrays import Complex, Floats
@@ -19,7 +20,7 @@ RPM = np.linspace(20.0, 400.0, 30)
 def one_mass(friction: float, damping: float = 0.0) -> Transmission:
     """0.5 kg*m^2 on 800 N*m/rad with dry friction."""
     spring = Spring({1: 1}, stiffness=800.0, damping=damping, friction=friction, name="mount")
-    return Transmission(1, [], [], [], springs=[spring], inertias={1: 0.5})
+    return sprung(1, [spring], {1: 0.5})
 
 
 def test_one_mass_slides_by_den_hartogs_approximation() -> None:
@@ -38,7 +39,7 @@ def test_one_mass_slides_by_den_hartogs_approximation() -> None:
 def test_a_friction_damper_without_spring_moves_its_ring_by_four_pi() -> None:
     """Lanchester's damper: the ring gets 4 M/pi, and a force below 4 M/pi (1 + J1/J2) none."""
     ring = Spring({1: 1, 2: -1}, friction=3.0, name="ring")
-    case = Transmission(2, [], [], [], springs=[ring], inertias={1: 0.1, 2: 0.05})
+    case = sprung(2, [ring], {1: 0.1, 2: 0.05})
     for force in (11.0, 12.0, 40.0):
         [gear] = response(case, 1, [Harmonic(2.0, force)], RPM)
         omega, slips = 2 * RAD_PER_RPM * gear.speeds, force > 36 / math.pi
@@ -82,7 +83,7 @@ def test_random_chains_agree_with_an_iteration_of_dampers(seed: int) -> None:
             )
         ]
         own = dict(enumerate(inertias.tolist(), 1))
-        case = Transmission(size, [], [], [], springs=springs, inertias=own)
+        case = sprung(size, springs, own)
         amplitude = float(chance.uniform(2, 20))
         speeds = chance.uniform(20, 600, 4) * (1, 1, -1, -1)  # links can turn backward, too
         [gear] = response(case, 1, [Harmonic(1.0, amplitude)], speeds)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.chance import each_seed, seeded
-from tests.torsion.systems import chain, mounted, wheels, with_planetary_set
+from tests.torsion.systems import chain, mounted, sprung, wheels, with_planetary_set
 from vstatics import (
     CaseError,
     Damping,
@@ -129,7 +129,7 @@ def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
         Spring({1: 1, 2: -1}, stiffness=150.0, name="s"),
         Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
     ]
-    case = Transmission(4, [], [], [], springs=shafts, inertias={1: 1.0, 2: 2.0, 3: 1.0, 4: 1.0})
+    case = sprung(4, shafts, {1: 1.0, 2: 2.0, 3: 1.0, 4: 1.0})
     omegas = [mode.omega for mode in modes(case)[0].modes]
     assert omegas == pytest.approx([10.0, 15.0])
     for at in (1, 3):
@@ -243,7 +243,7 @@ def test_torques_on_several_cranks() -> None:
         Spring({n + 1: 1, n + 2: -1}, rates[n], damping=Damping(losses[n]), name=f"{n}")
         for n in range(4)
     ]
-    case = Transmission(5, [], [], [], springs=springs, inertias=dict(enumerate(masses, 1)))
+    case = sprung(5, springs, dict(enumerate(masses, 1)))
     rows = "order,amplitude,phase [deg],link\n"
     rows += "".join(
         f"{order},{50 * order},{-order * angle},{link}\n"

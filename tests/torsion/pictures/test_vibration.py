@@ -10,6 +10,7 @@ from tests.commands import CASES, vstatics
 from tests.pictures import drawn
 from tests.pictures.test_pictures import STYLES, overlaps
 from tests.shipped import shipped_results
+from tests.torsion.systems import sprung
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.texts import Language
 from vstatics.pictures import drawn_kinds, module_of, picture
@@ -36,7 +37,7 @@ def chain(count: int, name: str = "m", stiffness: float = 1e4) -> Results:
 
 def one_mass() -> Results:
     springs = [Spring({1: 1}, 100.0, name="mount")]
-    return solve(Transmission(1, [], [], [], springs=springs, inertias={1: 1.0}))
+    return solve(sprung(1, springs, {1: 1.0}))
 
 
 def tied() -> Results:
@@ -109,7 +110,7 @@ def test_links_stand_in_the_order_in_which_power_comes_to_them() -> None:
 def test_devices_beside_each_other_have_levels_of_their_own() -> None:
     twists: list[dict[int, float]] = [{1: 1, 2: -1}, {1: 1, 2: -1}, {1: 1, 2: -2, 3: 1}, {3: 1}]
     springs = [Spring(twist, 9.0) for twist in (*twists, {3: 1.0})]
-    results = solve(Transmission(3, [], [], [], springs=springs, inertias={1: 1, 2: 1, 3: 1}))
+    results = solve(sprung(3, springs, {1: 1, 2: 1, 3: 1}))
     row = mode_links(results, 1, modes_of(results)[0])
     levels = [((0, 1), 0), ((0, 1), 1), ((0, 1, 2), 2), ((2,), 0), ((2,), 1)]
     assert [(one.members, one.level) for one in row.devices] == levels

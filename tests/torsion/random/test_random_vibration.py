@@ -10,7 +10,7 @@ from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, each_seed, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, chain, matrices, mounted
+from tests.torsion.systems import Array, chain, matrices, mounted, sprung
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.torsion import modes, random_vibration
@@ -89,7 +89,7 @@ def made(random: Random, lossy: bool) -> Transmission:
     inertias = {n: 10 ** random.uniform(-1, 0.5) for n in range(1, links + 1)}
     if links > 2 and random.random() < 0.4:
         del inertias[2]
-    return Transmission(links, [], [], [], springs=springs, inertias=inertias)
+    return sprung(links, springs, inertias)
 
 
 def answers(case: Transmission, at: int, by_motion: bool, omegas: Array) -> Array:
@@ -190,7 +190,7 @@ def test_masses_behind_a_damper_alone_have_velocities_but_no_angles() -> None:
     """By quadrature: a shaft of 300 N*m/rad moves them through 2 N*m*s/rad, so that they drift."""
     springs = [Spring({1: 1, 2: -1}, 300.0), Spring({2: 1, 3: -1}, damping=2.0)]
     springs.append(Spring({3: 1, 4: -1}, 200.0, damping=1.0))
-    case = Transmission(4, [], [], [], springs=springs, inertias={3: 0.5, 4: 0.8})
+    case = sprung(4, springs, {3: 0.5, 4: 0.8})
     [gear] = random_vibration(case, 1, White(2.5), by="motion")
 
     def squared(omega: float) -> Array:
@@ -209,7 +209,7 @@ def test_links_that_only_dampers_resist(at: int, resistance: float) -> None:
     """The velocity is T/d, with dampers in series: it varies as T, and its rate has no variance."""
     springs = [Spring({1: 1}, 100.0, damping=3.0), Spring({2: 1}, damping=5.0)]
     springs.append(Spring({3: 1, 2: -1}, damping=4.0))
-    case = Transmission(3, [], [], [], springs=springs, inertias={1: 2.0})
+    case = sprung(3, springs, {1: 2.0})
     [gear] = random_vibration(case, at, Correlation(0.04, ((1.0, 0.3, 0.8),)))
     link = gear.links[str(at)]
     assert link.velocity_rms == pytest.approx(0.2 / resistance, rel=1e-9)
@@ -227,10 +227,7 @@ def test_dampers_in_series_on_a_road(second: float) -> None:
     road = Correlation(0.04, ((1.0, 0.3, second),))
     rms = []
     for dampers in (series, whole):
-        inertias = {2: 0.5, 3: 4.0}
-        case = Transmission(
-            4, [], [], [], springs=[*springs, *dampers], inertias=inertias, output=3
-        )
+        case = sprung(4, [*springs, *dampers], {2: 0.5, 3: 4.0}).replace(output=3)
         [gear] = random_vibration(case, 1, road, by="motion")
         links = [gear.links[name] for name in "23"]
         rms.append([[one.rms, one.velocity_rms, one.acceleration_rms] for one in links])

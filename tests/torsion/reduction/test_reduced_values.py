@@ -7,7 +7,7 @@ import pytest
 from scipy import linalg
 
 from tests.chance import count, seeded
-from tests.torsion.systems import with_planetary_set
+from tests.torsion.systems import sprung, with_planetary_set
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, loads
 from vstatics.torsion.reduction.reduced_scheme import gear_scheme
 from vstatics.torsion.reduction.reduced_values import NO_REACTION, reduce
@@ -166,12 +166,12 @@ def test_planets_are_reduced_by_the_squares_of_their_speeds() -> None:
 
 def test_an_axle_over_the_mean_of_two_wheels_has_its_frequencies() -> None:
     """Its twist has halves, which are not rounded."""
-    case = Transmission(
-        4, [], [], [], output=4, inertias={1: 0.2, 2: 0.5, 3: 0.8, 4: 40.0},
-        springs=[Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=900.0, name="axle"),
-                 Spring({2: 1, 4: -1}, stiffness=700.0, name="left"),
-                 Spring({3: 1, 4: -1}, stiffness=600.0, name="right")],
-    )  # fmt: skip
+    springs = [
+        Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=900.0, name="axle"),
+        Spring({2: 1, 4: -1}, stiffness=700.0, name="left"),
+        Spring({3: 1, 4: -1}, stiffness=600.0, name="right"),
+    ]
+    case = sprung(4, springs, {1: 0.2, 2: 0.5, 3: 0.8, 4: 40.0})
     rows = np.array([[1, -0.5, -0.5, 0], [0, 1, 0, -1], [0, 0, 1, -1]])
     stiffness = rows.T @ np.diag([900.0, 700.0, 600.0]) @ rows
     squares = linalg.eigh(stiffness, np.diag([0.2, 0.5, 0.8, 40.0]), eigvals_only=True)

@@ -5,7 +5,7 @@ import pytest
 
 from tests.chance import each_seed, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, chain, wheels
+from tests.torsion.systems import Array, chain, sprung, wheels
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.torsion.vibration.test_variants import system_of
 from vstatics import Transmission
@@ -44,7 +44,7 @@ def side_by_side(one: Transmission, other: Transmission) -> Transmission:
         springs.append(spring._replace(twist=twist, name=f"other {spring.name}"))
     inertias = {**one.inertias, **{link + one.links: j for link, j in other.inertias.items()}}
     links = one.links + other.links
-    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
+    return sprung(links, springs, inertias)
 
 
 def random_chain(number: int) -> tuple[list[float], list[float]]:

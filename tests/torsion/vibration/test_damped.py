@@ -9,7 +9,7 @@ import pytest
 from scipy import linalg
 
 from tests.chance import each_seed, seeded
-from tests.torsion.systems import Array, chain, eigenvalues, matrices, mounted
+from tests.torsion.systems import Array, chain, eigenvalues, matrices, mounted, sprung
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import CaseError, Damping, Spring, Transmission
 from vstatics.torsion import Harmonic, modes, response
@@ -36,7 +36,7 @@ def test_numbers_beyond_floats_are_reported() -> None:
     lossy = (9e3, Damping(loss_factor=1e307)), (1e200, Damping(loss_factor=1e200))
     for stiffness, damping in (*lossy, (9e3, Damping(1e308))):
         shaft = Spring({1: 1, 2: -1}, stiffness=stiffness, damping=damping, name="shaft")
-        case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 0.05, 2: 9.5})
+        case = sprung(2, [shaft], {1: 0.05, 2: 9.5})
         with pytest.raises(CaseError, match="differ by so many powers of ten"):
             modes(case)
 
@@ -59,7 +59,7 @@ def test_what_creeps_alone_is_no_mode() -> None:
     springs = [
         Spring({1: 1}, 100.0), Spring({1: 1, 2: -1}, 10.0), Spring({2: 1}, 1e-6, damping=1.0),
     ]  # fmt: skip
-    gear = only(Transmission(2, [], [], [], springs=springs, inertias={1: 1.0}))
+    gear = only(sprung(2, springs, {1: 1.0}))
     roots = np.roots([1.0, 10.0, 110.0, 1000.0])
     [swing] = [root for root in roots if root.imag > 0]
     assert len(gear.damped) == 2
@@ -83,7 +83,7 @@ def damped_system(seed: int) -> Transmission:
             continue
         damping = rng.choice((0.0, size / 10))
         springs.append(Spring(twist, stiffness=100 * size, damping=damping, name=f"s{number}"))
-    return Transmission(links, [], [], [], inertias=inertias or {1: 1.0}, springs=springs)
+    return sprung(links, springs, inertias or {1: 1.0})
 
 
 @each_seed(90, 2000)
@@ -107,7 +107,7 @@ def test_a_damper_parallel_to_a_spring_does_not_resist_the_rigid_mode() -> None:
     inertias = {1: 0.4500682524721604, 2: 1.1236422485937854}  # the rounded basis is not rigid
     mobility = sum(1 / inertia for inertia in inertias.values())
     root = np.roots([1, 1.2 * mobility, 4.9 * mobility])[0]
-    gear = only(Transmission(2, [], [], [], springs=springs, inertias=inertias))
+    gear = only(sprung(2, springs, inertias))
     assert gear.damped == pytest.approx([complex(root.real, abs(root.imag))], rel=1e-12)
 
 
@@ -117,7 +117,7 @@ def test_massless_links_whose_dampings_differ_by_many_powers_of_ten() -> None:
     dampings = {2: 1e-9, 3: 1e12}
     shafts = [Spring({1: 1, link: -1}, stiffness=1.0) for link in dampings]
     mounts = [Spring({link: 1}, 3.0, damping=damping) for link, damping in dampings.items()]
-    case = Transmission(3, [], [], [], springs=[*shafts, *mounts], inertias={1: 1e6})
+    case = sprung(3, [*shafts, *mounts], {1: 1e6})
     *_, fast = only(case).damped
     assert fast == pytest.approx(-4e9)
 
@@ -130,11 +130,11 @@ def test_a_loss_factor_at_a_massless_link_with_a_damper() -> None:
     lossy = Damping(loss_factor=0.1)
     springs = [Spring({1: 1, 2: -1}, 100.0, damping=lossy), Spring({2: 1, 3: -1}, 100.0)]
     springs.append(Spring({3: 1}, damping=0.1))
-    gear = only(Transmission(3, [], [], [], springs=springs, inertias={1: 1.0, 3: 1.0}))
+    gear = only(sprung(3, springs, {1: 1.0, 3: 1.0}))
     [creep] = [root.real for root in np.roots([1, 0.1, 100, 5]) if root.imag == 0]
     assert gear.damped[0] == pytest.approx(creep, rel=1e-9)
     assert len(gear.damped) == 2
-    free = only(Transmission(2, [], [], [], springs=springs[:1], inertias={1: 1.0}))
+    free = only(sprung(2, springs[:1], {1: 1.0}))
     assert (free.modes, free.damped) == ([], [])
 
 
@@ -186,7 +186,7 @@ def with_losses(number: int, most: float) -> Transmission:
         stiffness = 10 ** rng.uniform(1, 5)
         springs.append(Spring(twist, stiffness=stiffness, damping=damping, name=f"s{place}"))
     inertias = {n: 10 ** rng.uniform(-2, 1) for n in range(1, links + 1)}
-    return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
+    return sprung(links, springs, inertias)
 
 
 def eigenvalues_of_mode(case: Transmission, omega: float, shape: Array) -> tuple[Array, Array]:

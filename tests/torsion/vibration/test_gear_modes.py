@@ -9,7 +9,15 @@ from scipy import linalg
 
 from tests.chance import count
 from tests.commands import CASES
-from tests.torsion.systems import Array, branched, chain, matrices, wheels, with_planetary_set
+from tests.torsion.systems import (
+    Array,
+    branched,
+    chain,
+    matrices,
+    sprung,
+    wheels,
+    with_planetary_set,
+)
 from vstatics import CaseError, Gear, ShiftElement, Spring, Transmission, load
 from vstatics.torsion.vibration.gear_modes import GearModes, modes
 from vstatics.torsion.vibration.tables import modes_grids
@@ -87,11 +95,11 @@ def test_what_stands_together_is_one_node() -> None:
     assert antiphase.nodes == 1
     springs = [Spring({1: 1, 2: -1, 3: -1}, stiffness=5.0), Spring({3: 1}, stiffness=9.0)]
     inertias = {1: 1.0, 2: 2.0, 3: 0.1}
-    axle = only(Transmission(3, [], [], [], springs=springs, inertias=inertias))
+    axle = only(sprung(3, springs, inertias))
     assert axle.modes[0].nodes == 1
     springs = [Spring({1: 1, n: -1}, stiffness=50.0) for n in (2, 3, 4)]
     masses = [9.0, 2.0, 2.0, 2.0]
-    gear = only(Transmission(4, [], [], [], springs=springs, inertias=dict(enumerate(masses, 1))))
+    gear = only(sprung(4, springs, dict(enumerate(masses, 1))))
     assert omegas(gear) == pytest.approx([5.0, 5.0, math.sqrt(50 * (1 / 2 + 3 / 9))], rel=1e-13)
     assert abs(shapes(gear)[:, 0] @ np.diag(masses) @ shapes(gear)[:, 1]) < 1e-12
 
@@ -114,7 +122,7 @@ def test_without_inertia_or_with_one_mass_between_massless_links_there_is_no_mod
     springs = chain([1.0] * 3, [500.0, 300.0], [0.0, 1.0]).springs
     with pytest.raises(CaseError, match="nothing has an inertia"):
         modes(Transmission(3, [], [], [], springs=springs))
-    gear = only(Transmission(3, [], [], [], springs=springs, inertias={2: 1.0}))
+    gear = only(sprung(3, springs, {2: 1.0}))
     assert (gear.rigid_modes, gear.modes) == (1, [])
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests.torsion.systems import sprung
 from tests.torsion.vibration.test_decrements import TABLE_P2_1
 from vstatics import CaseError, Gear, ShiftElement, Spring, Transmission, loads
 from vstatics.torsion.vibration.gear_modes import Mode, modes
@@ -56,7 +57,7 @@ def test_table_p2_1(gear: str) -> None:
     given = TABLE_P2_1[gear]
     first, second, third = given.inertias
     shaft = Spring({1: 1, 2: -1}, compliance=given.compliance, name="all")
-    case = Transmission(2, [], [], [], inertias={1: first + second, 2: third}, springs=[shaft])
+    case = sprung(2, [shaft], {1: first + second, 2: third})
     made = identify(case, 1, given.measured, given.decrement)
     if given.calculated is not None:
         assert made.omega == pytest.approx(given.calculated, rel=0.3e-2)

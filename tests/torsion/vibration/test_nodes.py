@@ -10,7 +10,7 @@ import pytest
 from scipy import linalg
 
 from tests.chance import count, each_seed, seeded, with_slow
-from tests.torsion.systems import chain
+from tests.torsion.systems import chain, sprung
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import Mechanism, Spring, Transmission
 
@@ -46,7 +46,7 @@ def test_nodes_of_any_chain(number: int) -> None:
     ]
     if is_mounted := rng.random() < 0.5:
         springs.append(Spring({1: 1}, 10 ** rng.uniform(0, 5)))
-    check(Transmission(links, [], [], [], springs=springs, inertias=inertias), not is_mounted)
+    check(sprung(links, springs, inertias), not is_mounted)
 
 
 @each_seed(10, 300)
@@ -67,7 +67,7 @@ def test_modes_of_chains_that_are_not_connected_have_the_nodes_of_their_own(seed
             stiffness += c * np.outer(row, row)
         squares = linalg.eigh(stiffness, np.diag(masses), eigvals_only=True)
         expected += [(math.sqrt(square), nodes) for nodes, square in enumerate(squares)]
-    gear = only(Transmission(link, [], [], [], springs=springs, inertias=inertias, output=link))
+    gear = only(sprung(link, springs, inertias))
     found = [(mode.omega, float(mode.nodes)) for mode in gear.modes]
     assert found == [pytest.approx(one) for one in sorted(expected)]
 

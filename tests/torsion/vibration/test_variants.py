@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
-from tests.torsion.systems import Array, branched, chain
+from tests.torsion.systems import Array, branched, chain, sprung
 from vstatics import Spring, Transmission
 from vstatics.core.numerics.motions import free_motions
 from vstatics.torsion.system.coordinates import coordinates
@@ -87,7 +87,7 @@ def test_a_soft_support_keeps_its_digits_beside_stiff_shafts() -> None:
     """A body of 1 + 1 on a support: ``omega^2 = c/2``, twelve decades below the shaft."""
     twists = {1: 1, 2: -1}, {2: 1}
     springs = [Spring(twist, stiffness=c) for twist, c in zip(twists, (1e9, 1.0), strict=True)]
-    system = system_of(Transmission(2, [], [], [], springs=springs, inertias={1: 1.0, 2: 1.0}))
+    system = system_of(sprung(2, springs, {1: 1.0, 2: 1.0}))
     stiffness = np.array([1e-3, 1e-2, 1e-1])
     found = frequencies(system, {1: stiffness})
     np.testing.assert_allclose(found[:, 0], np.sqrt(stiffness / 2), rtol=1e-9)

@@ -15,14 +15,13 @@ from scipy.optimize import brentq
 from tests.chance import count, examples, generator
 from tests.commands import vstatics
 from tests.installed import needs
+from tests.vehicle.operation.cycles import around, cycled, spent, timed
 from vstatics import CaseError, Gear, Load, Machine, Mechanism, Transmission, loads, solve
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.drive_cycle import drive
-from vstatics.vehicle.operation.gear_choice import GearChoice
-from vstatics.vehicle.operation.trace import Trace, read_trace
+from vstatics.vehicle.operation.trace import Trace
 from vstatics.vehicle.operation.traction import Traction, performance
 
 COLUMNS, ROWS = [0.0, 150.0, 600.0], [[0.0, 0.9, 0.95, 0.96], [300.0, 0.85, 0.97, 0.98]]
@@ -223,15 +222,14 @@ def random_trace(seed: int) -> Trace:
     random = generator(seed, 7)
     speeds = np.concatenate([[0, 0.3], random.uniform(0, 18, 8), [0.2, 0, 0]])
     times = np.cumsum(random.uniform(3, 9, len(speeds)))
-    rows = [f"{row[0]!r},{row[1]!r}" for row in np.transpose([times, speeds]).tolist()]
-    return read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
+    return timed("\n".join(f"{time},{speed}" for time, speed in zip(times, speeds, strict=True)))
 
 
 @pytest.mark.parametrize("is_split", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_cycle_is_as_step_by_step(seed: int, is_split: bool) -> None:
     by_hand, trace = train(seed, is_split=is_split), random_trace(seed)
-    driven, car = drive(by_hand.case(), trace, GearChoice()), by_hand.car
+    driven, car = cycled(by_hand.case(), trace), by_hand.car
     moving = np.flatnonzero(trace.speed > 0)
     force = car.resistance(trace.speed) + car.mass * trace.acceleration
     steps = [
@@ -255,8 +253,7 @@ def test_a_cycle_is_as_step_by_step(seed: int, is_split: bool) -> None:
     energy = driven.energy
     given = (energy.machine if car.machine else energy.engine) or 0.0
     assert energy.brakes == pytest.approx(brakes, rel=1e-7, abs=1e-3)
-    total = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
-    assert given == pytest.approx(total, rel=1e-9)
+    assert given == pytest.approx(spent(energy), rel=1e-9)
     factor = car.final_drive / car.radius
     lost = 0.0
     for n, step in zip(moving, steps, strict=True):
@@ -306,10 +303,8 @@ elements:
     pairs = """P1: {first: sun, second: ring, third: out, ratio: -72/32}
   P2: {first: sun, second: out, third: carrier, ratio: -72/32}"""
     texts = [SIMPSON.format(sets=elements, pairs=""), SIMPSON.format(sets="", pairs=pairs)]
-    trace = read_trace(b"time [s],speed [m/s],gear\n0,0,1\n9,9,3\n20,25,3\n30,8,1\n", "t.csv")
-    drawn, plain = (
-        (performance(case), drive(case, trace, GearChoice())) for case in map(loads, texts)
-    )
+    trace = "0,0,1\n9,9,3\n20,25,3\n30,8,1"
+    drawn, plain = ((performance(case), cycled(case, trace)) for case in map(loads, texts))
     force = 200 * 2 * 88 / 36 * 3 / 0.3
     assert drawn[0].gears["1"].slope == pytest.approx(force / 1500 / GRAVITY, rel=1e-9)
     assert drawn[0].gears == plain[0].gears
@@ -339,9 +334,8 @@ def test_a_trace_that_no_speed_ratio_fits_is_an_error_at_its_row() -> None:
     """From i = 0.5 on, an engine of a slow vehicle would turn slower than at its first point."""
     car = Vehicle(2000, 0.5, engine=[(100.0, 200.0), (500.0, 200.0)])
     case = automatic(points=STALL[1:]).replace(vehicle=car)
-    trace = read_trace(b"time [s],speed [m/s]\n0,20\n5,20\n6,1\n7,1\n", "t.csv")
     with pytest.raises(CaseError) as error:
-        drive(case, trace, GearChoice())
+        cycled(case, "0,20\n5,20\n6,1\n7,1")
     assert {(p.id, p.path) for p in error.value.problems} == {("E424", (2,))}
 
 
@@ -364,9 +358,7 @@ def test_converters_brake_beyond_the_ratio_at_which_they_lose_no_power(turbine: 
     points = "[[0, 2, 0.02], [0.5, 0.98, 0.005], [1, 0.98, 0], [1.2, 0.98, -2e-3]]"
     text = BEYOND.replace("turbine}", f"turbine, points: {points}}}")
     text = text.replace("200]]}", "200]], overrun: [[10, -50], [900, -50]]}")
-    half = (turbine - 5) / 0.03 / 2000
-    trace = read_trace(f"time [s],speed [m/s]\n0,{3 - half}\n1,{3 + half}\n".encode(), "t.csv")
-    cycle = drive(loads(text), trace, GearChoice())
+    cycle = cycled(loads(text), around(3, (turbine - 5) / 0.03 / 2000))
     i, brakes = (-98 + math.sqrt(98**2 + 4 * 98 * turbine)) / (2 * turbine), 0.0
     if turbine == -1:
         i, brakes = 1.0, 100.0
@@ -408,16 +400,15 @@ def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
     Beyond i = 1, where the converter would gain power, it gives nothing. With w_T - 2.4 w_P = -1.4w
     the turbine turns the output backward: the brakes would have to push at any torque.
     """
-    table = f"time [s],speed [m/s]\n0,{20 - force / 2000}\n1,{20 + force / 2000}\n"
-    trace = read_trace(table.encode(), "t.csv")
+    trace = around(20, force / 2000)
     if force < 21.6:
-        energy = drive(loads(BY_TURBINE), trace, GearChoice()).energy
+        energy = cycled(loads(BY_TURBINE), trace).energy
         assert energy.wheels == pytest.approx(20 * force)
         assert energy.brakes == 0
     backward = BY_TURBINE.replace("-2}", "2.4}").replace(", [1.5, 0.95, -2e-3]", "")
     for text in [BY_TURBINE, backward] if force > 21.6 else []:
         with pytest.raises(CaseError, match="no speed ratio of TC") as error:
-            drive(loads(text), trace, GearChoice())
+            cycled(loads(text), trace)
         assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
@@ -430,8 +421,7 @@ def test_a_speed_ratio_is_found_next_to_ratios_at_which_a_split_is_self_locking(
         "turbine, second: engine, third: out, ratio: -2",
         "engine, second: out, third: turbine, ratio: 1.1, efficiency: 0.7",
     )
-    trace = read_trace(b"time [s],speed [m/s]\n0,20.999\n1,21.001\n", "t.csv")
-    steps, force = drive(loads(text), trace, GearChoice()).steps, 2.0
+    steps, force = cycled(loads(text), "0,20.999\n1,21.001").steps, 2.0
     [speed], [torque] = steps["engine speed [rpm]"] * math.pi / 30, steps["engine torque [N*m]"]
     i = 11 * 21 / speed - 10
     pump = 4e-3 * (1 - i) * speed**2
@@ -477,10 +467,9 @@ def test_a_clutch_that_slips_behind_the_converter_makes_the_turbine_faster(seed:
         force = (200 - drag) * pump(w, x)[1] * 3 * 0.97 * 10
         assert pull.forces(0, np.array([part * pull.last])) == pytest.approx([force], rel=1e-8)
         asked, v = float(random.uniform(-3000, 3000)), x / 10
-        table = f"time [s],speed [m/s]\n0,{v - asked / 3e4!r}\n0.1,{v + asked / 3e4!r}\n"
         if v < abs(asked) / 3e4:
             continue
-        energy = drive(case, read_trace(table.encode(), "t.csv"), GearChoice()).energy
+        energy = cycled(case, around(v, asked / 3e4, 0.1)).energy
         turbine = max(asked / 10 / 3 / 0.97, 0.0)
         w = first_root(lambda w: turbine - pump(w, x)[0] * pump(w, x)[1], free, 5000)  # noqa: B023
         w = w if turbine else free
@@ -508,7 +497,7 @@ def test_beside_a_slipping_lock_up_the_engine_turns_faster_by_the_slip() -> None
     """The force of 1500 kg at 1 m/s^2 has 150 N*m at the output, which gains 10 rad/s a second."""
     case = loads(LOCK_UP)
     assert not list(doubts(case))
-    cycle = drive(case, read_trace(b"time [s],speed [m/s]\n0,9\n2,11\n", "t.csv"), GearChoice())
+    cycle = cycled(case, "0,9\n2,11")
     turbine, w = 150 / (3 * 0.97) + 0.05 * 30, 300 + 5
     i = 300 / w
     pump = 3e-3 * (1 - i) * w**2
@@ -561,9 +550,8 @@ def test_inertias_can_drive_the_turbine_while_the_wheels_need_a_small_force(is_s
     by_hand = train(1, is_split=is_split)
     car, speed = by_hand.car, 5.0
     change = -(car.resistance(speed) - 3.0) / car.mass
-    rows = f"0,{speed - change / 2}\n1,{speed + change / 2}\n"
-    trace = read_trace(f"time [s],speed [m/s]\n{rows}".encode(), "t.csv")
-    driven, step = drive(by_hand.case(), trace, GearChoice()), Step.of(by_hand, speed, change, 3.0)
+    driven = cycled(by_hand.case(), around(speed, change / 2))
+    step = Step.of(by_hand, speed, change, 3.0)
     assert driven.steps["engine speed [rpm]"][0] * math.pi / 30 == pytest.approx(step.engine)
     assert driven.steps["engine torque [N*m]"][0] == pytest.approx(step.torque, abs=1e-9)
     assert driven.energy.brakes == pytest.approx((step.force - 3.0) * speed, abs=1e-6)
@@ -592,8 +580,7 @@ def test_a_freewheel_over_the_converter_lets_the_engine_brake(
         drag, most, asked = random.uniform(0, 5), random.uniform(5, 60), random.uniform(-3e3, 1e3)
         speed, drag = float(random.uniform(3, 20)), float(drag) if number % 3 else 0.0
         case = loads(FREEWHEEL.format(drag=drag, points=points, overrun=f"[[0, {-most!r}]]"))
-        table = f"time [s],speed [m/s]\n0,{speed - asked / 3e4!r}\n0.1,{speed + asked / 3e4!r}\n"
-        cycle = drive(case, read_trace(table.encode(), "t.csv"), GearChoice())
+        cycle = cycled(case, around(speed, asked / 3e4, 0.1))
         torque, w = asked / 10 / 3 * (0.97 if asked < 0 else 1 / 0.97), 30 * speed
         lost = {"P": abs(asked) * speed * 0.03 / (0.97 if asked > 0 else 1)}
         if asked > 0:
@@ -631,8 +618,7 @@ def test_a_freewheel_supplies_the_torque_that_the_pump_lacks(examples: int) -> N
         points = [[0, 2, 3e-3], [0.9, 1, 2e-3], [free, 1, -1e-4 * (number % 2)]]
         case = loads(FREEWHEEL.format(drag=0.0, points=points, overrun="[[0, 0]]"))
         speed, asked = (random.uniform(3, 20, 2) * (1, 100)).tolist()
-        table = f"time [s],speed [m/s]\n0,{speed - asked / 3e4!r}\n0.1,{speed + asked / 3e4!r}\n"
-        cycle = drive(case, read_trace(table.encode(), "t.csv"), GearChoice())
+        cycle = cycled(case, around(speed, asked / 3e4, 0.1))
         torque, w = float(asked / 10 / 3 / 0.97), float(30 * speed)
 
         def taken(engine: Any, turbine: float = w) -> Any:
@@ -677,8 +663,7 @@ def test_with_a_freewheel_behind_the_turbine_the_engine_supplies_the_drag_of_the
     drag: {turbine: 2 N*m}
     vehicle: {mass: 1450 kg, radius: 0.3, engine: [[80, 140], [600, 170]]}
     """)
-    trace = read_trace(b"time [s],speed [m/s]\n0,6\n1,6\n2,3\n", "t.csv")
-    steps = drive(case, trace, GearChoice()).steps
+    steps = cycled(case, "0,6\n1,6\n2,3").steps
     for step, turbine in enumerate([8 * 6 / 0.3, 8 * 4.5 / 0.3]):
         i = brentq(
             lambda i, w: (2 - i) * 4e-3 * (1 - i) * (w / i) ** 2 - 2, 0.5, 1, args=(turbine,)

@@ -11,6 +11,7 @@ import pytest
 
 from tests.chance import each_seed, seeded
 from tests.commands import vstatics
+from tests.vehicle.operation.cycles import cycled, spent, timed
 from vstatics import (
     CaseError,
     Gear,
@@ -33,7 +34,7 @@ from vstatics.vehicle.operation.drive_cycle import drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
 from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
-from vstatics.vehicle.operation.trace import Trace, read_trace
+from vstatics.vehicle.operation.trace import Trace
 from vstatics.vehicle.operation.traction import performance
 
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
@@ -69,8 +70,7 @@ def parallel(ratios: Mapping[str, float]) -> Transmission:
 
 
 def trace(*rows: tuple[float, float, str]) -> Trace:
-    lines = [f"{time!r},{speed!r},{gear}" for time, speed, gear in rows]
-    return read_trace("\n".join(["time [s],speed [m/s],gear", *lines]).encode(), "t.csv")
+    return timed("\n".join(f"{time},{speed},{gear}" for time, speed, gear in rows))
 
 
 @pytest.mark.parametrize(
@@ -78,7 +78,7 @@ def trace(*rows: tuple[float, float, str]) -> Trace:
 )
 def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -> None:
     """From 10 to 12 m/s in 2 s; the engine's torque by hand, with what turns on each side."""
-    made = drive(CASE, trace((0, 10, gear), (2, 12, gear)), GearChoice())
+    made = cycled(CASE, f"0,10,{gear}\n2,12,{gear}")
     force = 1200 * 1 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 11**2
     k, own, open_pair = 4.1 / 0.3, 0.17, 0.0
     if gear == "1":  # the second pair turns, too, and speeds its first link up
@@ -108,10 +108,9 @@ def test_random_cycles_are_in_balance(seed: int) -> None:
         load=Load(2000.0, 100.0),
     )
     rows = [(2.0 * n, rng.choice([0.0, rng.uniform(1, 30)]), rng.choice("12")) for n in range(9)]
-    made = drive(case, trace(*rows), GearChoice())
+    made = cycled(case, trace(*rows))
     parts = made.energy
-    total = parts.wheels + parts.inertias + parts.brakes + math.fsum(parts.lost.values())
-    assert parts.engine == pytest.approx(total, rel=1e-9, abs=1e-6)
+    assert parts.engine == pytest.approx(spent(parts), rel=1e-9, abs=1e-6)
     assert parts.brakes >= 0
 
 
@@ -124,7 +123,7 @@ def test_drag_without_unit_is_relative_to_the_input_torque(seed: int) -> None:
     car = CAR._replace(overrun=[(0.0, -1e5)])
     case = Transmission(3, [], pairs, [Gear(name="1")], drag=drag, inertias={1: 0.1}, vehicle=car)
     rows = [(2.0 * n, chance.uniform(1, 30), "1") for n in range(9)]
-    made = drive(case, trace(*rows), GearChoice()).steps
+    made = cycled(case, trace(*rows)).steps
     ratio = car.final_drive / car.radius
     turning = math.prod(pair.ratio for pair in pairs) * np.diff([v for _, v, _ in rows]) / 2 * ratio
     entering = np.array(made["engine torque [N*m]"]) - 0.1 * turning
@@ -134,27 +133,27 @@ def test_drag_without_unit_is_relative_to_the_input_torque(seed: int) -> None:
         torque = torque * pair.ratio * passed - drag[link] * np.abs(entering)
     assert torque * ratio == pytest.approx(np.array(made["wheel force [N]"]), rel=1e-9)
     with pytest.raises(CaseError, match="drag without unit takes all of the input torque"):
-        drive(case.replace(drag={1: 1.01}), trace(*rows), GearChoice())
+        cycled(case.replace(drag={1: 1.01}), trace(*rows))
 
 
 def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
     rates = np.array([[0.1, 1.0], [2.0, 9.0]])
     grid = FuelMap(np.array([80.0, 600.0]), np.array([0.0, 200.0]), rates)
-    made = drive(CASE, trace((0, 0, "1"), (60, 0, "1")), GearChoice(), grid)
+    made = drive(CASE, timed("0,0,1\n60,0,1"), GearChoice(), grid)
     assert made.fuel == pytest.approx(6.0)
     assert made.energy.engine == made.energy.wheels == made.distance == 0
 
 
 def test_elements_that_carry_too_much_are_reported_with_their_steps() -> None:
     """Clutch 1 bears what the engine gives, here nothing turns but the car."""
-    steps = trace((0, 10, "1"), (2, 12, "1"), (4, 18, "1"), (6, 18, "2"), (8, 18, "2"))
+    steps = timed("0,10,1\n2,12,1\n4,18,1\n6,18,2\n8,18,2")
     bare = CASE.replace(inertias={}, load=Load(None, 10.0))
-    made = drive(bare, steps, GearChoice())
+    made = cycled(bare, steps)
     torques = made.steps["engine torque [N*m]"]
     for part, told in ((0.99, True), (1.01, False)):
         first = bare.shift_elements[0]._replace(capacity=torques[1] * part / 10)
         case = bare.replace(shift_elements=[first, bare.shift_elements[1]])
-        said = [(one.id, one.text) for one in drive(case, steps, GearChoice()).messages]
+        said = [(one.id, one.text) for one in cycled(case, steps).messages]
         text = f"in 1 of 4 steps {first.name} carries up to {torques[1]:.5g} N*m, more "
         text += f"than its torque capacity of {torques[1] * part:.5g} N*m, most from 2 s on, gear 1"
         assert said == [("W430", text)] * told
@@ -162,8 +161,7 @@ def test_elements_that_carry_too_much_are_reported_with_their_steps() -> None:
 
 def test_from_rest_to_rest_inertias_take_what_goes_at_shifts() -> None:
     """Of the input and what turns with the open gear, by its ratio: J (w^2 - w'^2)/2 at each."""
-    rows = (0, 0, "1"), (3, 8, "2"), (7, 14, "2"), (9, 5, "1"), (12, 0, "1")
-    made = drive(CASE, trace(*rows), GearChoice())
+    made = cycled(CASE, "0,0,1\n3,8,2\n7,14,2\n9,5,1\n12,0,1")
     wheel = 4.1 / 0.3
     change = 0.15 * ((3.5 * wheel) ** 2 - (1.5 * wheel) ** 2) / 2  # link 3 turns as ever
     assert made.energy.inertias == pytest.approx(change * (8**2 - 5**2), rel=1e-12)
@@ -173,7 +171,7 @@ def test_a_gear_that_drives_nothing_is_reported_at_its_row() -> None:
     case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
     for name in ("tied", "none"):
         with pytest.raises(CaseError, match=f"gear {name} has no ratio") as caught:
-            drive(case, trace((0, 0, name), (1, 3, name), (2, 5, "1"), (3, 5, name)), GearChoice())
+            cycled(case, f"0,0,{name}\n1,3,{name}\n2,5,1\n3,5,{name}")
         assert caught.value.problems[0].path == (0,)
 
 
@@ -183,8 +181,8 @@ def test_a_link_that_turns_freely_has_no_inertia_torque() -> None:
     car = Vehicle(1000, 0.3, engine=[(80, 200), (600, 200)])
     plain = Transmission(4, [], parts, [Gear(name="1")], output=2, vehicle=car)
     heavy = plain.replace(inertias={4: 0.1})
-    trace = read_trace(b"time [s],speed [km/h]\n0,40\n10,60\n", "t.csv")
-    assert drive(heavy, trace, GearChoice()).energy == drive(plain, trace, GearChoice()).energy
+    heavier, lighter = (cycled(case, "0,11\n10,17").energy for case in (heavy, plain))
+    assert heavier == lighter
     assert performance(heavy) == performance(plain)
 
 
@@ -200,9 +198,9 @@ SET = Transmission(
 
 
 def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
-    rows = trace((0, 0, "low"), (3, 9, "low"), (8, 14, "low"), (12, 2, "low"))
+    rows = "0,0,low\n3,9,low\n8,14,low\n12,2,low"
     held = SET.replace(gears=[Gear(speeds={2: 0.0}, name="low")])
-    braked, made = (drive(one, rows, GearChoice()).energy for one in (SET, held))
+    braked, made = (cycled(one, rows).energy for one in (SET, held))
     for one, other in zip(braked[:4], made[:4], strict=True):
         assert one == pytest.approx(other, rel=1e-12)
     assert made.lost == pytest.approx(braked.lost)
@@ -227,9 +225,9 @@ def test_where_machines_drive_too_nothing_of_the_vehicle_is_reported(gear: Gear,
     assert told._replace(gears=alone.gears) == alone
     assert told.gears["low"] == alone.gears["low"]
     assert all(map(math.isnan, told.gears["split"]))
-    rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
+    rows = timed("0,3,low\n4,9,split\n8,30,")
     with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in w") as caught:
-        drive(case, rows, GearChoice())
+        cycled(case, rows)
     assert caught.value.problems[0].path == (1,)
     unnamed = rows._replace(gears=[])
     assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
@@ -246,15 +244,14 @@ def test_as_many_gears_both_ways_are_distinguished_by_their_names(
     """Whichever way the wheels turn and whatever stands first, as in the design table."""
     ratios = [turned * ratio for ratio in (-4.0, 2.0, -2.0, 4.0)]
     case = parallel(dict(zip(names, ratios, strict=True)))
-    steady = trace((0, 5, ""), (1, 5, ""))._replace(gears=[])
+    steady = timed("0,5\n1,5")
     made = drive(case, steady, GearChoice(least_speed=1.0))
     assert made.gears[0] in design(solve(case)).forward
     assert (made.gears, [one.id for one in made.messages]) == ([forward], ids)
 
 
 def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
-    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0, 0))]
-    text = trace(*rows)._replace(gears=[])
+    text = timed("0,0\n2,4\n4,8\n6,8\n8,4\n10,3\n12,0\n14,0")
     shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
     first, ahead = CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=1.5)
     case = CASE.replace(mechanisms=[first, ahead])
@@ -263,8 +260,8 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
         assert drive(case, text, choice).gears == ["1", "2", "2", "2", "1", "1", "1"]
     assert drive(case, text, GearChoice(least_loss=True)).gears[-1] == "1"  # at rest
     with pytest.raises(CaseError, match="no column `gear`"):
-        drive(CASE, text, GearChoice())
-    named = trace((0, 4, "1"), (2, 8, "1"))
+        cycled(CASE, text)
+    named = timed("0,4,1\n2,8,1")
     twice = [(GearChoice(least, shifts), text), (GearChoice(least, shifts, True), text)]
     twice += [(GearChoice(least), named), (GearChoice(shifts=shifts), named)]
     for choice, given in twice:
@@ -297,7 +294,7 @@ def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
     gears = [*case.gears, Gear(name="N")]
     gears[3] = gears[3]._replace(torques={2: 0.2})
     case = case.replace(gears=gears)
-    text = trace((0, 5, ""), (2, 6, ""))._replace(gears=[])
+    text = timed("0,5\n2,6")
     with pytest.raises(CaseError, match=f"the shift {shift} .* neighbours: 1-2, 2-3"):
         drive(case, text, GearChoice(shifts=read_shifts(f"{shift}: 5 m/s/4 m/s")))
     skipping = GearChoice(shifts=read_shifts("1-3: 5 m/s/4 m/s"))
@@ -307,7 +304,7 @@ def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
 def test_coasting_in_neutral_is_refused_as_such() -> None:
     """Neutral is allowed at standstill, as in published cycles."""
     with pytest.raises(CaseError, match=r"no gear `N`, expected one of 1, 2: .* in neutral"):
-        drive(CASE, trace((0, 5.0, "N"), (2, 6.0, "1")), GearChoice())
+        cycled(CASE, "0,5.0,N\n2,6.0,1")
 
 
 @each_seed(5)
@@ -457,7 +454,7 @@ SLIPPING = CAR_FILE.replace(", fuel: {file: fuel.csv}", "").replace("[A]", "{sli
 
 def test_a_slipping_clutch_takes_its_part_of_the_engine() -> None:
     """1000 kg from 5 to 7 m/s take 12000 J: 15000 J before the pair of 0.8, 25000 J of the engine."""
-    energy = drive(loads(SLIPPING), trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    energy = cycled(loads(SLIPPING), "0,5,low\n4,7,low").energy
     assert [energy.wheels, energy.engine] == pytest.approx([12000, 25000])
     assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 10000})
 
@@ -469,7 +466,7 @@ def in_rpm(slip: str, more: str = "") -> Transmission:
 def test_slip_in_rpm_adds_to_the_speed_of_the_engine() -> None:
     """The pair takes 78.125 N*m at 48 rad/s for 500 N; and 0.1 kg*m^2 from 60 to 76 rad/s."""
     case = in_rpm("20 rad/s", "inertias: {engine: 0.1}\n")
-    energy = drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    energy = cycled(case, "0,5,low\n4,7,low").energy
     inertia = 0.1 * (76**2 - 60**2) / 2
     assert [energy.inertias, energy.engine] == pytest.approx([inertia, 78.125 * 68 * 4 + inertia])
     assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 78.125 * 20 * 4})
@@ -478,14 +475,14 @@ def test_slip_in_rpm_adds_to_the_speed_of_the_engine() -> None:
     )
     text = text.replace("A: [engine, a]", "C: [engine, c], A: [c, a]")
     case = loads(f"{text}load: {{speed: 1000 rpm}}\n")  # 0.8 w - 20 = 48
-    energy = drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    energy = cycled(case, "0,5,low\n4,7,low").energy
     assert [energy.lost["slip.C"], energy.engine] == pytest.approx([78.125 * 68, 78.125 * 340])
 
 
 def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:
     case = in_rpm("200 rpm")
     case = case.replace(gears=[*case.gears, Gear([1], name="firm")])
-    rows = trace((0, 5, "low"), (4, 7, "low"))._replace(gears=[])
+    rows = timed("0,5\n4,7")
     assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["high"]
     case = case.replace(gears=[case.gears[0], case.gears[2]])
     assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["firm"]
@@ -494,11 +491,11 @@ def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:
 def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
     """At 10.5 m/s the pair turns at 84 rad/s, less 900 rpm: -97.859 rpm."""
     with pytest.raises(CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear"):
-        drive(in_rpm("-900 rpm"), trace((0, 10, "low"), (4, 11, "low")), GearChoice())
+        cycled(in_rpm("-900 rpm"), "0,10,low\n4,11,low")
     for inertias in ("", "inertias: {engine: 0.1}\n"):
         case = loads(SLIPPING.replace("0.4", "-0.4") + inertias)
         with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip above 0 is p"):
-            drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice())
+            cycled(case, "0,5,low\n4,7,low")
 
 
 @pytest.mark.parametrize("more", [False, True])
@@ -518,8 +515,7 @@ def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
         freewheel = ShiftElement(2, 1, "A", kind="freewheel")
         elements = [freewheel, *case.shift_elements[1:]]
         case = case.replace(shift_elements=elements, gears=[case.gears[0]._replace(slip={})])
-    rows = trace((0, 7, "low"), (4, 5, "low"), (6, 9, "low"), (9, 0.3, "low"))
-    driven = drive(case, rows, GearChoice())
+    driven = cycled(case, "0,7,low\n4,5,low\n6,9,low\n9,0.3,low")
     engine = brakes = slip = 0.0
     for v, a, time in ((6, -0.5, 4), (7, 2, 2), (4.65, -2.9, 3)):
         shaft, change = v / 0.5 * 4, a / 0.5 * 4
@@ -536,9 +532,8 @@ def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
     energy = driven.energy
     assert [energy.engine, energy.lost.get("slip.A", 0)] == pytest.approx([engine, slip])
     assert energy.brakes == pytest.approx(brakes)
-    given = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
-    assert energy.engine == pytest.approx(given, rel=1e-9)
-    faster = drive(case, trace((0, 5, "low"), (4, 9, "low")), GearChoice())
+    assert energy.engine == pytest.approx(spent(energy), rel=1e-9)
+    faster = cycled(case, "0,5,low\n4,9,low")
     assert faster.energy.brakes == pytest.approx(0, abs=1e-6)
 
 
@@ -574,14 +569,13 @@ def test_brakes_relieve_a_slipping_clutch_before_pairs_with_jagged_maps(seed: in
             lost[name] += torque * (1 - eta) * ratio * speed * time
             torque *= 2 * eta
         brakes += (torque / 0.5 - 1000 * change) * speed * time
-    energy = drive(case, trace(*((*row, "low") for row in speeds)), GearChoice()).energy
+    energy = cycled(case, trace(*((*row, "low") for row in speeds))).energy
     assert [energy.brakes, energy.lost["slip.C"]] == pytest.approx([brakes, 0], rel=1e-8, abs=1e-3)
     assert {name: energy.lost[name] for name in lost} == pytest.approx(lost, rel=1e-6)
 
 
 def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:
     idle = Gear(slip={1: 0.2}, name="N")
-    steps = trace((0, 10, "1"), (9, 20, "1"))
     cases = (CASE.replace(gears=[*CASE.gears, *more]) for more in ((), [idle]))
-    cycles = [drive(case, steps, GearChoice()) for case in cases]
+    cycles = [cycled(case, "0,10,1\n9,20,1") for case in cases]
     assert cycles[0].energy.engine == cycles[1].energy.engine

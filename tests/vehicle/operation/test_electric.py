@@ -13,6 +13,7 @@ from tests.chance import examples, seeded
 from tests.commands import json_answer, vstatics
 from tests.core.statics.points.test_maps import Grid, interpolated, random_map
 from tests.rejects import rejects
+from tests.vehicle.operation.cycles import cycled, spent, timed
 from vstatics import (
     CaseError,
     Gear,
@@ -30,16 +31,15 @@ from vstatics.core.writers.named import write_yaml
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
 from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
 from vstatics.vehicle.operation.gear_choice import GearChoice
-from vstatics.vehicle.operation.trace import Trace, read_trace
+from vstatics.vehicle.operation.trace import Trace
 from vstatics.vehicle.operation.traction import performance
 
 RATIO, ETA, INERTIA = 8.0, 0.95, 0.04
 
 
-def timed(speeds: list[float]) -> Trace:
+def steps(speeds: list[float]) -> Trace:
     """Steps of 2 s between speeds [m/s]."""
-    rows = [f"{2 * number},{speed!r}" for number, speed in enumerate(speeds)]
-    return read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
+    return timed("\n".join(f"{2 * number},{speed}" for number, speed in enumerate(speeds)))
 
 
 def driven(vehicle: Vehicle, speeds: list[float], loss: MapLaw | None = None) -> DriveCycle:
@@ -47,7 +47,7 @@ def driven(vehicle: Vehicle, speeds: list[float], loss: MapLaw | None = None) ->
     pair = Mechanism(1, 2, 0, RATIO, ETA, name="pair")
     gear = Gear(name="1", loss=loss)
     case = Transmission(2, [], [pair], [gear], inertias={1: INERTIA}, vehicle=vehicle)
-    return drive(case, timed(speeds), GearChoice())
+    return cycled(case, steps(speeds))
 
 
 def random_drive(chance: Random) -> tuple[Vehicle, Grid, float]:
@@ -117,9 +117,7 @@ def test_energies_add_up_with_a_loss_of_the_gear(examples: int) -> None:
         assert use is not None
         assert energy.battery == pytest.approx(use.out - use.returned, rel=1e-12)
         assert energy.battery == pytest.approx(math.fsum(parts), rel=1e-12)
-        assert energy.machine == pytest.approx(
-            energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values()), rel=1e-9
-        )
+        assert energy.machine == pytest.approx(spent(energy), rel=1e-9)
         entering = zip(found.steps["speed [rpm]"], found.steps["torque [N*m]"], strict=True)
         value = interpolated(columns, rows)
         braked = [
@@ -204,15 +202,14 @@ def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone(examples: int)
 
         def energy(gear: str, before: float, after: float, of: Any = (case, least)) -> float:
             case, least = of
-            rows = f"time [s],speed [m/s],gear\n0,{before!r},{gear}\n2,{after!r},{gear}\n"
-            alone = drive(case, read_trace(rows.encode(), "t.csv"), GearChoice())
+            alone = cycled(case, f"0,{before},{gear}\n2,{after},{gear}")
             is_slow = alone.steps["speed [rpm]"][0] * math.pi / 30 < least
             if alone.beyond or is_slow or any(note.id == "W428" for note in alone.messages):
                 return math.inf
             given = alone.energy.engine if alone.energy.machine is None else alone.energy.battery
             return math.nan if given is None else given
 
-        found = drive(case, timed(speeds), choice)
+        found = drive(case, steps(speeds), choice)
         for gear, (before, after) in zip(found.gears, pairwise(speeds), strict=True):
             energies = {name: energy(name, before, after) for name in ("1", "2")}
             if math.isfinite(min(energies.values())):
@@ -232,7 +229,7 @@ def test_open_clutches_leave_the_gear_of_the_smallest_ratio(examples: int) -> No
         car = Vehicle(1500, 0.3, engine=[(0.0, 200.0), (700.0, 150.0)], overrun=[(0, -30)])
         parts = Transmission(4, clutches, pairs, gears, drag={4: 3.0}, vehicle=car)
         case = parts.replace(load=Load(2000, 60))  # drag in N*m
-        trace = timed([chance.uniform(18, 20), chance.uniform(14, 16)])
+        trace = steps([chance.uniform(18, 20), chance.uniform(14, 16)])
         assert [*drive(case, trace, GearChoice(least_loss=True)).gears] == ["2"]
 
 
@@ -241,7 +238,7 @@ def test_a_drag_below_0_is_an_error_of_the_case() -> None:
     pair = Mechanism(1, 2, 0, RATIO, ETA)
     drag: dict[int, float] = {2: DragFormula("0.5 - 0.01*w")}
     case = Transmission(2, [], [pair], [Gear(name="1")], drag=drag, vehicle=Vehicle(1000, 0.3))
-    trace = timed([30.0, 30.0])
+    trace = steps([30.0, 30.0])
     for choice in (GearChoice(), GearChoice(least_loss=True)):
         with pytest.raises(CaseError, match="expected a torque of 0 or more") as caught:
             drive(case, trace, choice)

@@ -75,6 +75,9 @@ def test_a_clutch_that_slips_only_without_torque_has_no_equivalent_torque() -> N
     assert clutch.torque.row == 2
     assert clutch.revolutions == pytest.approx(100 * (1 - 1 / 3) * 10 / (2 * math.pi))
     assert math.isnan(clutch.equivalent_torque)
+    dragging = [elements[0], elements[1]._replace(drag=0.1)]  # of 20 N*m, at the slip of low
+    energy = spectrum(case.replace(shift_elements=dragging), both).energy
+    assert energy.lost["drag.C"] == pytest.approx(0.1 * 20 * 100 * (1 - 1 / 3) * 10)
 
 
 @seeds_with_slow(8, 25)

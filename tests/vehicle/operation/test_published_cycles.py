@@ -14,11 +14,10 @@ import pytest
 from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import process
 from tests.core.readers.named.test_signs_of_print import spoilt
+from tests.vehicle.operation.cycles import cycled
 from vstatics import CaseError, Gear, Mechanism, ReadError, Transmission
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.drive_cycle import drive
-from vstatics.vehicle.operation.gear_choice import GearChoice
 from vstatics.vehicle.operation.trace import read_trace
 
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
@@ -132,7 +131,7 @@ def test_layouts_of_published_cycles(seed: int) -> None:
         np.testing.assert_allclose(trace.speed, [float(v) for v in means], rtol=1e-13)
         np.testing.assert_allclose(trace.slope, sines, rtol=1e-13)
         assert sorted(trace.table.head.skipped) == sorted(layout.others), layout.data
-        driven = drive(CASE, trace, GearChoice())
+        driven = cycled(CASE, trace)
         way = [v * dt for v, dt in zip(means, lengths, strict=True)]
         assert driven.distance == pytest.approx(float(sum(way)), rel=1e-12)
         work = [
@@ -215,15 +214,14 @@ def test_gears_of_published_cycles() -> None:
     text = "time [s],speed [m/s],gear\n0,0,0\n1,0,1.0\n2,5,1\n3,5,0\n4,5,1\n"
     trace = read_trace(text.encode(), "t.csv")
     with pytest.raises(CaseError, match="no gear `0`, expected one of ") as raised:
-        drive(CASE, trace, GearChoice())
+        cycled(CASE, trace)
     assert [problem.path for problem in raised.value.problems] == [(3,)]
     text = text.replace("5,0", "5,1")
-    driven = drive(CASE, read_trace(text.encode(), "t.csv"), GearChoice())
+    driven = cycled(CASE, read_trace(text.encode(), "t.csv"))
     assert list(driven.gears) == ["1"] * 4
     starts = "time [s],speed [m/s],gear\n0,0,{0}\n1,0,{0}\n2,5,1\n3,0,{0}\n4,0,{0}\n"
     start, same = (
-        drive(CASE, read_trace(starts.format(gear).encode(), "t.csv"), GearChoice())
-        for gear in ("0", "1")
+        cycled(CASE, read_trace(starts.format(gear).encode(), "t.csv")) for gear in ("0", "1")
     )
     assert start.energy == same.energy
 
@@ -278,7 +276,7 @@ def test_wild_numbers_of_a_trace_end_in_numbers_or_at_their_line(seed: int) -> N
         except ReadError as error:
             problems = error.problems
         else:
-            problems, driven = [], drive(CASE, trace, GearChoice())
+            problems, driven = [], cycled(CASE, trace)
             assert math.isfinite(driven.energy.engine or 0.0)
             assert math.isfinite(driven.distance)
         assert all(problem.place and problem.place.line > 1 for problem in problems)

@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 
 from tests.commands import json_answer, json_file, vstatics
+from tests.vehicle.operation.cycles import cycled
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
-from vstatics.vehicle.operation.drive_cycle import drive
-from vstatics.vehicle.operation.gear_choice import GearChoice
-from vstatics.vehicle.operation.trace import read_trace
 from vstatics.vehicle.operation.traction import performance
 
 CLUTCHES = [ShiftElement(1, 2), ShiftElement(1, 3)]
@@ -46,7 +44,7 @@ def test_coastdown_terms_of_a_road_are_rolling_points_and_air() -> None:
     assert answer.time_to_100 == pytest.approx(time, rel=1e-12)
     limited = one_gear(car._replace(engine=[(0.0, 100.0), (9000.0, 100.0)]))
     assert performance(limited).top_speed == pytest.approx(3.6 * min(fast, 9000 / 8 * 0.25))
-    driven = drive(case, read_trace(b"time [s],speed [m/s]\n0,20\n10,20\n", "t"), GearChoice())
+    driven = cycled(case, "0,20\n10,20")
     assert driven.energy.wheels == pytest.approx((a + 20 * b + 400 * c) * 200, rel=1e-12)
 
 
