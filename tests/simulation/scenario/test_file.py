@@ -305,8 +305,7 @@ def test_a_start_speed_without_its_unit_is_noted_if_few_engines_are_as_fast() ->
     """
     for speed, noted in (("3000", "W104 N205"), ("12000 rpm", "W104"), ("300", "W104")):
         file = scenario_file(f"name: speed #1\nstart: {{gear: low, speed: {speed}}}")
-        doubts = (doubt.id for doubt in file.doubts if "speed" in doubt.message)
-        assert " ".join(doubts) == noted
+        assert " ".join(note.id for note in file.doubts if "speed" in note.message) == noted
 
 
 def test_a_start_speed_of_an_input_with_a_road_can_be_a_vehicle_speed() -> None:
