@@ -62,17 +62,17 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
 
 
 def slope_of(
-    function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
+    function: Torque, time: float, step: float, rate: float = 0.0, angle: float = 0.0
 ) -> float:
-    """Return the derivative of a torque with respect to time, from values within a step."""
-    now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
-    return slope_ahead(now, middle, later, within)
+    """Return the derivative of a torque with respect to time, at a constant rate."""
+    return slope_ahead(lambda after: function(time + after, rate, angle + after * rate), step)
 
 
-def slope_ahead(now: Slopes, middle: Slopes, later: Slopes, step: float) -> Slopes:
-    """Return the derivative from values now, after half a step and after a full step.
+def slope_ahead(function: Callable[[float], Slopes], step: float) -> Slopes:
+    """Return the derivative of a function at 0, from its values within a step.
 
-    >>> slope_ahead(0.0, 0.25, 1.0, 1.0), slope_ahead(1.0, 2.0, 3.0, 2.0)  # t^2, 1 + t
+    >>> slope_ahead(lambda x: x**2, 1.0), slope_ahead(lambda x: 1 + x, 2.0)
     (0.0, 1.0)
     """
+    now, middle, later = map(function, (0.0, step / 2, step))
     return (4 * middle - 3 * now - later) / step

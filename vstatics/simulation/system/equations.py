@@ -262,28 +262,23 @@ class Equations:
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
-        turning = self.structure.rates @ change[: self.motions]
+        turning, sight = self.structure.rates @ change[: self.motions], self._sight(time)
 
-        ahead = self._sight(time)
-        aheads = [part * ahead for part in (0.0, 0.5, 1.0)]
-        seen = [
-            self.changes.seen(
-                time, state[moving] + ahead * change, rates + ahead * turning, torques
-            )
-            for ahead in aheads
-        ]
-        for port, look in self.unsensed:
-            now, middle, later = map(look.at, [time + step for step in aheads], seen)
-            slopes[port] = slope_ahead(now, middle, later, ahead)
+        def seen_torques(ahead: float) -> Floats:
+            states, turned = state[moving] + ahead * change, rates + ahead * turning
+            seen = self.changes.seen(time, states, turned, torques)
+            return np.array([look.at(time + ahead, seen) for _, look in self.unsensed])
+
+        slopes[[port for port, _ in self.unsensed]] = slope_ahead(seen_torques, sight)
         if self.losses:
-            still = np.zeros(self.size - len(change))
-            lost = [
-                self.torques(
-                    time + step, state + step * np.append(change, still), rates + step * turning
-                )[self.losses.places]
-                for step in aheads
-            ]
-            slopes[self.losses.places] = slope_ahead(lost[0], lost[1], lost[2], ahead)
+            places, still = self.losses.places, np.zeros(self.size - len(change))
+            whole = np.append(change, still)
+            slopes[places] = slope_ahead(
+                lambda ahead: self.torques(
+                    time + ahead, state + ahead * whole, rates + ahead * turning
+                )[places],
+                sight,
+            )
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Return the rates of ports, and the speeds of motions without inertia [rad/s]."""
@@ -612,8 +607,7 @@ class Equations:
                     [limit.seen_at(then, seen, clipped=False) for *_, limit in self.seen_limits]
                 )
 
-            now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
-            risen = slope_ahead(now, middle, later, step)
+            risen = slope_ahead(limits, step)
             for (index, sign, limit), slope in zip(self.seen_limits, risen, strict=True):
                 is_cut = limit.seen_at(time, at) != limit.seen_at(time, at, clipped=False)
                 slopes[index] = 0.0 if is_cut else sign * slope

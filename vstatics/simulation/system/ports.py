@@ -25,7 +25,6 @@ from vstatics.simulation.system.curves import (
     curve_along,
     one_by_one,
     programme_at,
-    slope_ahead,
     slope_of,
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
@@ -300,11 +299,7 @@ class Ports:
             slopes[port] = factor * slope_of(formula.function, time, step)
         for port, place, function, _ in self.special:
             angle, rate = float(angles[place]) if place >= 0 else 0.0, float(rates[port])
-            ahead = [
-                function(time + after, rate, angle + after * rate)
-                for after in (0.0, step / 2, step)
-            ]
-            slopes[port] = slope_ahead(ahead[0], ahead[1], ahead[2], step)
+            slopes[port] = slope_of(function, time, step, rate, angle)
         return slopes
 
     def _step(self, time: float, within: float) -> float:
