@@ -18,6 +18,7 @@ from vstatics.simulation.events.search import KIND_OF, Choice, Kind
 from vstatics.simulation.events.sequences import SequenceProgress
 from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.linearised import slopes_by_rate
 from vstatics.simulation.system.matrices import Contact, MotionSystem
 from vstatics.simulation.system.sight import Corner, control_path
 from vstatics.simulation.tolerances import AHEAD_OF_STOP, BEYOND_ALL
@@ -126,7 +127,7 @@ class StopCauses(NamedTuple):
             f"at {self.time:.9g} s no time step is small enough: a torque jumps with the speed, or "
             "changes too steeply with it; write dry friction of a load as `resistance`"
         )
-        slopes = np.abs(equations.slopes_by_rate(self.time, state)[: self.system.layout.outside])
+        slopes = np.abs(slopes_by_rate(equations, self.time, state)[: self.system.layout.outside])
         if not slopes.any():
             return Problem("E608", message)
         name = self.system.names[self.system.outside[int(slopes.argmax())].link]

@@ -21,7 +21,9 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, largest
 from vstatics.simulation.events.exponential import Exponential
 from vstatics.simulation.events.time_steps import TimeStep
-from vstatics.simulation.system.equations import Affine, Equations
+from vstatics.simulation.system.affine import Affine
+from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.linearised import slopes_by_rate, slopes_by_state
 from vstatics.simulation.tolerances import (
     BETWEEN_EXACT,
     FITTING_TORQUE,
@@ -401,8 +403,8 @@ class Closed:
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _slopes(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        equations = self.equations
-        return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
+        by_rate = slopes_by_rate(self.equations, time, state)
+        return by_rate, slopes_by_state(self.equations, time, state)
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Return whether torque slopes in a state differ from those in the present matrix A."""

@@ -7,5 +7,6 @@ speed in this row. `curves` and `ports` calculate capacities and torques of port
 `variators` calculate torques that depend on constraint torques, by `fixed_point` iterations.
 `values` gives the rates of control states and temperatures, and `sight` the quantities that
 formulas read. `shares` replaces jumps in formulas by means, and `sliding` calculates these means.
-`equations` contains the differential equations; if all torques are linear, also their matrices.
+`equations` contains the differential equations, `affine` their matrices if all torques are linear,
+and `linearised` the slopes of all other torques.
 """

@@ -16,15 +16,15 @@ the state: their speeds follow from the balance of torques along them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property, partial
-from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.programme import Look
+from vstatics.simulation.system.affine import Affine
 from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, RigidMechanism
 from vstatics.simulation.system.ports import Ports, States
@@ -448,58 +448,6 @@ class Equations:
             return False
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
-    def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Return the derivative of each torque with respect to the rate of the port [N*m*s/rad].
-
-        Feedback torques are left out; `slopes_by_state` contains their derivatives.
-        """
-        rates, _ = self.rates(time, state)
-        step = DIFFERENCE_STEP * max(1.0, largest(rates))
-        slopes = self.ports.by_rate.copy()
-        limited = self.layout.springs + np.flatnonzero(self.limited)
-        for port in {*self.ports.bending}.difference(limited.tolist(), self.coupled):
-            near = [rates.copy(), rates.copy()]
-            near[0][port] -= step
-            near[1][port] += step
-            low, high = (self.torques(time, state, at)[port] for at in near)
-            slopes[port] = (high - low) / (2 * step)
-        return np.where(np.isfinite(slopes), slopes, 0.0)
-
-    def slopes_by_state(self, time: float, state: Floats) -> Floats:
-        """Return derivatives of feedback torques and of rates of values with respect to the state.
-
-        Returns
-        -------
-        ndarray, shape (ports + values, size of [q, e, phi, v])
-        """
-        looks, first = self.coupled, self.layout.ports
-        slopes = np.zeros((first + len(self.layout.values), self.works.start))
-        for index, curve in self.ports.struts:
-            twist = self.twists.start + index
-            slopes[self.layout.springs + index, twist] = curve.strut.slope(float(state[twist]))
-        if not looks and not self.layout.values:
-            return slopes
-
-        def seen(at: Floats) -> Floats:
-            rates, torques = self.acting(time, at)
-            change = self.derivative(time, at) if self.layout.hot else at
-            return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
-
-        rows = [*looks, *range(first, len(slopes))]
-        now, finest = seen(state), self.ports.finest(self.rates(time, state)[0])
-        for index in range(self.works.start):
-            step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
-            if index < self.motions:
-                step = min(step, finest)
-
-            def moved(length: float, index: int = index) -> Floats:
-                near = state.copy()
-                near[index] += length
-                return seen(near)
-
-            slopes[rows, index] = _slope_off_jumps(moved, now, step)
-        return np.where(np.isfinite(slopes), slopes, 0.0)
-
     def value_rates_at(
         self, times: Floats, states: Floats, rates: Floats, torques: Floats
     ) -> Floats:
@@ -634,146 +582,3 @@ class Equations:
         growing[..., creeps] = (sprung[..., creeps] - elastic) / self.viscous[creeps]
         growing[..., limited] = slopes[..., limited] / stiffness[limited]
         return growing
-
-
-class Map(NamedTuple):
-    """Linear function of the vectors x, c and dc/dt of `Affine`: three matrices."""
-
-    by_state: Floats
-    by_given: Floats
-    by_slope: Floats
-
-    def plus(self, other: Map) -> Map:
-        """Return the sum of two maps."""
-        return Map(*(mine + theirs for mine, theirs in zip(self, other, strict=True)))
-
-    def times(self, matrix: Floats) -> Map:
-        """Return the product of a matrix and the map."""
-        return Map(*(matrix @ part for part in self))
-
-
-class Affine:
-    """Matrices of equations whose torques are linear in rates, twists and angles.
-
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, v]. The vector c contains the terms of port
-    torques, and of rates of values, that depend on time alone. Rates of ports and speeds of motions
-    without inertia are linear functions of x, c and dc/dt, too.
-
-    Parameters
-    ----------
-    equations : Equations
-    by_rate : ndarray, shape (ports,), optional
-        Derivatives of torques with respect to the rates of their ports, if laws are linearised.
-        [N*m*s/rad]
-    by_state : ndarray, shape (ports + values, size), optional
-        Derivatives of torques, and of rates of values, with respect to the state.
-    """
-
-    def __init__(
-        self,
-        equations: Equations,
-        by_rate: Floats | None = None,
-        by_state: Floats | None = None,
-    ) -> None:
-        self.equations = equations
-        self.by_rate = equations.ports.by_rate if by_rate is None else by_rate
-        structure, ports, layout = equations.structure, equations.ports, equations.layout
-        size, count = equations.works.start, layout.ports + len(layout.values)
-        if by_state is None:
-            by_state = np.zeros((count, size))
-        identity = np.eye(layout.ports, count)
-        moved = np.zeros((equations.motions, size))
-        moved[:, : equations.motions] = np.eye(equations.motions)
-        still = np.zeros((equations.motions, count))
-        motions = Map(moved, still, still)
-        elastic = by_state[: layout.ports].copy()
-        elastic[layout.spring_ports, equations.twists] += np.diag(ports.elastic)
-        for port, place, slope in ports.by_angle:
-            elastic[port, equations.angles.start + place] += slope
-        given = Map(elastic, identity, np.zeros((layout.ports, count)))
-        rates = motions.times(structure.rates)
-        if equations.light:
-            self.light = self._light(rates, given)
-            rates = rates.plus(self.light.times(structure.light_rates))
-        self.rates = rates
-        torques = given.plus(rates.times(np.diag(self.by_rate)))
-        parts = [torques.times(structure.accelerations)]
-        if equations.springs:
-            parts.append(self._twisting(torques, rates))
-        if layout.angles:
-            turning = motions.times(equations.angle_rows)
-            if equations.light:
-                rows = structure.light[list(layout.angles)]
-                turning = turning.plus(self.light.times(rows))
-            parts.append(turning)
-        given_rates = np.eye(len(layout.values), count, k=layout.ports)
-        parts.append(Map(by_state[layout.ports :], given_rates, np.zeros_like(given_rates)))
-        self.change = Map(*(np.vstack(rows) for rows in zip(*parts, strict=True)))
-        has_slopes = bool(equations.light) or self.change.by_slope.any()
-        self.within = equations.within if has_slopes else None
-        """Interval for derivatives of c; None if they have no effect. [s]"""
-
-    def _light(self, rates: Map, given: Map) -> Map:
-        """Return the speeds of motions without inertia as a map, from the balance of torques."""
-        equations = self.equations
-        structure, ports = equations.structure, equations.ports
-        balance = equations.by_torque.T @ structure.balances
-        damped = np.diag(self.by_rate)
-        by_speeds = [balance @ damped @ structure.light_rates]
-        balances = [given.plus(rates.times(damped)).times(balance)]
-        if equations.by_slope.shape[1]:
-            steep = equations.by_slope.T @ structure.balances
-            elastic = ports.all_elastic
-            by_speeds.append(steep @ (elastic[:, None] * structure.light_rates))
-            slopes = rates.times(np.diag(elastic))
-            identity = np.eye(*slopes.by_slope.shape)
-            balances.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
-        matrix = np.vstack(by_speeds)
-        stacked = Map(*(np.vstack(part) for part in zip(*balances, strict=True)))
-        return Map(*(-np.linalg.solve(matrix, part) for part in stacked))
-
-    def _twisting(self, torques: Map, rates: Map) -> Map:
-        equations = self.equations
-        ports, at = equations.ports, equations.layout.spring_ports
-        grown = [part[at].copy() for part in rates]
-        stiffness = ports.stiffness
-        for index in np.flatnonzero(equations.creeps):
-            viscous = equations.viscous[index]
-            for part, torque in zip(grown, torques, strict=True):
-                part[index] = torque[at][index] / viscous
-            grown[0][index, equations.twists.start + index] -= stiffness[index] / viscous
-        for index in np.flatnonzero(equations.limited):
-            for part in grown:
-                part[index] = 0.0
-            grown[2][index, at.start + index] = 1 / stiffness[index]
-        return Map(*grown)
-
-    def light_at(self, times: Floats, states: Floats) -> Floats:
-        """Return the speeds of motions without inertia at several times, shape (motions, times)."""
-        given, slopes = self.given_at(times)
-        speeds = self.light.by_state @ states[: self.equations.works.start]
-        return speeds + self.light.by_given @ given + self.light.by_slope @ slopes
-
-    def given_at(self, times: Floats) -> tuple[Floats, Floats]:
-        """Return c and dc/dt at several times; dc/dt is calculated only if needed."""
-        more = np.zeros((len(self.equations.layout.values), len(times)))
-        given, slopes = self.equations.ports.given_at(times, self.within)
-        return np.vstack([given, more]), np.vstack([slopes, more])
-
-
-def _slope_off_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the derivatives of functions at 0.
-
-    At a jump or bend, the side with the smaller change gives the derivative, because a difference
-    quotient across a jump grows as its step shrinks.
-
-    >>> def function(x):
-    ...     return np.array([3 * x + (x > 0), 3 * x + (x > 5e-7), max(x, 0)])
-    >>> _slope_off_jumps(function, function(0.0), 1e-6).round(9)
-    array([3., 3., 0.])
-    """
-    below, above = now - function(-step), function(step) - now
-    bends = np.abs(below - above) > 0.5 * np.maximum(np.abs(below), np.abs(above))
-    smaller = np.where(np.abs(below) < np.abs(above), below, above)
-    slopes: Floats = np.where(bends, smaller, 0.5 * (below + above)) / step
-    return slopes

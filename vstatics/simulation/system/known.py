@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.simulation.system.matrices import MotionSystem, PortLayout
 from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure
@@ -22,6 +22,7 @@ class KnownMotion(Protocol):
     ports: Ports
     states: States
     motions: int
+    springs: int
     size: int
     twists: slice
     angles: slice
@@ -29,6 +30,12 @@ class KnownMotion(Protocol):
     works: slice
     slipped: slice
     light: int
+    by_torque: Floats
+    by_slope: Floats
+    angle_rows: Floats
+    viscous: Floats
+    creeps: Booleans
+    limited: Booleans
     within: float
     changes: Any
 
