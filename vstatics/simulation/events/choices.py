@@ -16,7 +16,6 @@ from vstatics.simulation.system.curves import programme_at
 from vstatics.simulation.system.matrices import (
     SIGNS,
     Contact,
-    Elastic,
     MotionSystem,
     OutsideTorque,
     sign,
@@ -79,11 +78,12 @@ class ModeChoices:
         springs = [self._spring(index, at, scales, choices) for index in range(len(system.springs))]
         layout = self.layout
         last = before.pieces if before else [None] * (layout.curves + len(springs))
+        corners = [spring.curve.corners for spring in system.springs]
         pieces = [
             *map(self._piece, repeat(at), system.outside, last),
             *map(_converter_piece, repeat(at), system.converters, last[layout.outside :]),
             *map(_friction_piece, repeat(at), system.contacts, last[layout.frictions :]),
-            *map(_spring_piece, at.twists.tolist(), system.springs, last[layout.curves :]),
+            *map(_piece_at, at.twists.tolist(), corners, last[layout.curves :]),
         ]
         choices += self._leaps(pieces)
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
@@ -196,10 +196,8 @@ class ModeChoices:
         if not isinstance(law, Points) or law.over == "time":
             return 0
         if law.over == "speed":
-            value = float(at.speeds[load.link])
-        else:
-            value = float(at.angles[self.layout.angles.index(load.link)])
-        return _piece_at(value, law.x, last, STANDING * max(1.0, abs(value)))
+            return _piece_at(float(at.speeds[load.link]), law.x, last)
+        return _piece_at(float(at.angles[self.layout.angles.index(load.link)]), law.x, last)
 
 
 def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
@@ -207,24 +205,17 @@ def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int
     if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
         # Without input speed there is no speed ratio, so the search tries all pieces.
         return len(converter.points) if last is None else last
-    return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last, STANDING)
+    return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last)
 
 
 def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:
-    if not contact.corners:
-        return 0
-    slip = abs(float(contact.row @ at.speeds))
-    return _piece_at(slip, contact.corners, last, STANDING * max(1.0, slip))
+    return _piece_at(abs(float(contact.row @ at.speeds)), contact.corners, last)
 
 
-def _spring_piece(twist: float, spring: Elastic, last: int | None) -> int:
-    return _piece_at(twist, spring.curve.corners, last, STANDING * max(1.0, abs(twist)))
-
-
-def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:
+def _piece_at(value: float, corners: Sequence[float], last: int | None) -> int:
     """Return the index of the linear piece at a value; at a corner, prefer the piece `last`."""
     if last is not None:
-        ends = (-math.inf, *corners, math.inf)
+        near, ends = STANDING * max(1.0, abs(value)), (-math.inf, *corners, math.inf)
         if ends[last] - near <= value <= ends[last + 1] + near:
             return last
     return bisect_right(corners, value)
