@@ -9,6 +9,7 @@ margin is negative, and no margin of 0 falls.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -32,8 +33,8 @@ from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INER
 
 _AMPLE = 1e300
 """Finite substitute for an infinite margin, so that margins can be subtracted."""
-_NEARER = (1e-2, 1e-4)
-"""Factors on the length of the look-ahead, tried in turn if the full length gives no result."""
+_NEARER = (1.0, 1e-2, 1e-4)
+"""Factors on the length of the look-ahead, tried in turn until one gives a result."""
 _MOST_TURNED = 8
 """Largest number of iterations if torques a little later would reverse a slip that begins."""
 
@@ -101,16 +102,11 @@ class ModeSelection:
         CaseError
             If the speed of a link without inertia is indeterminate.
         """
-        try:
-            return self.selected(asked, thorough=False)
-        except (NoChoice, CaseError):
-            ahead = copy(self)
+        ahead = copy(self)
         for nearer in _NEARER:
             ahead.within = nearer * self.within
-            try:
+            with suppress(NoChoice, CaseError):
                 return ahead.selected(asked, thorough=False)
-            except (NoChoice, CaseError):
-                continue
         return ahead.selected(asked, thorough=True)
 
     def selected(self, asked: ModesAsked, *, thorough: bool) -> Selected:
@@ -187,13 +183,10 @@ class ModeSelection:
         that jumps.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
-        if not options:
+        motions = self._lossless(states) if options else None
+        if motions is None:
             return states
         meshes = list(states.meshes)
-        try:
-            motions = self.structure(states.held, ("",) * len(meshes))
-        except np.linalg.LinAlgError:
-            return states
         speeds = motions.free @ motions_of(self.system, motions, at)
         for index, (_, *moving) in options.items():
             slip = self.system.meshes[index].slip
@@ -204,13 +197,19 @@ class ModeSelection:
 
     def _may_change(self, watch: Watch, states: States) -> bool:
         """Return whether the mechanism of a margin can move while the sticking contacts stick."""
-        if KIND_OF.get(watch.kind) != "meshes":
-            return True
-        try:  # the losses of moving mechanisms do not change the possible motions
-            motions = self.structure(states.held, ("",) * len(states.meshes))
-        except np.linalg.LinAlgError:
+        if KIND_OF.get(watch.kind) != "meshes" or (motions := self._lossless(states)) is None:
             return True
         return bool(moves(self.system.meshes[watch.of].slip, motions.free, motions.light))
+
+    def _lossless(self, states: States) -> MotionStructure | None:
+        """Return the possible motions while contacts stick, None if the contacts contradict.
+
+        The losses of moving mechanisms do not change the possible motions.
+        """
+        try:
+            return self.structure(states.held, ("",) * len(states.meshes))
+        except np.linalg.LinAlgError:
+            return None
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
         """Return the states in which mechanisms move that would move without friction, or None."""
