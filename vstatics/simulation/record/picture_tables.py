@@ -16,7 +16,7 @@ from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.programme import friction_at
 from vstatics.simulation.system.curves import programme_along
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, Contact
+from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.values import outside_torques
 
 Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
@@ -35,14 +35,14 @@ def picture_tables(at: Moments) -> Tables:
     equations, torques, roads = at.equations, at.ports, roads_of(at.system.scenario)
     heat, losses = heat_and_losses(equations, at.states)
     names = [element.name for element in equations.system.case.shift_elements]
+    sticks = {device.element: state in ("stick", "rigid") for device, state in _states(equations)}
     structure = equations.structure
     accelerated: Floats = structure.free @ (structure.accelerations @ torques)
     if any(structure.light[link - 1].any() for link in roads):
         accelerated = at.accelerations()
     return {
         "sticks": {
-            name: np.full(len(at.times), float(sticks))
-            for name, sticks in zip(names, _sticking_flags(equations), strict=True)
+            name: np.full(len(at.times), float(sticks[index])) for index, name in enumerate(names)
         },
         "capacities": dict(zip(names, _capacities(at), strict=True)),
         "heat": heat,
@@ -109,28 +109,23 @@ def chosen(tables: Tables, selected: Booleans) -> Tables:
     }
 
 
-def _sticking_flags(equations: Equations) -> Iterator[bool]:
-    system, states = equations.system, equations.states
-    contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
-    springs = dict(zip(map(id, system.springs), states.springs, strict=True))
-    for index in range(len(system.case.shift_elements)):
-        device = system.by_element[index]
-        yield (
-            contacts[id(device)] if isinstance(device, Contact) else springs[id(device)] == "stick"
-        )
+def _states(equations: Equations) -> list[tuple[Contact | Elastic, str]]:
+    """Return all contacts and springs, each with its state."""
+    states = equations.states
+    devices = equations.system.may_slip
+    return [*zip(devices, (*states.contacts, *states.springs), strict=True)]
 
 
 def _capacities(at: Moments) -> Iterator[Floats]:
     """Yield the torque capacity of each shift element: static if sticking, otherwise kinetic."""
     equations, system = at.equations, at.system
-    active, seen = equations.states, None
+    seen = None
     if any(device.programme.look is not None for device in system.may_slip):
         rates, _ = equations.acting_at(at.times, at.states)
         seen = equations.seen_at(at.times, at.states, rates, at.ports)
     times = equations.ports.inside(at.times)
     capacities: dict[int, Floats] = {}
-    devices = zip(system.may_slip, (*active.contacts, *active.springs), strict=True)
-    for port, (device, state) in enumerate(devices, equations.layout.contacts):
+    for port, (device, state) in enumerate(_states(equations), equations.layout.contacts):
         if device.element is None:
             continue
         if state in SIGNS and not (isinstance(device, Contact) and device.one_way):
