@@ -41,7 +41,7 @@ from vstatics.simulation.record.state_changes import StateChanges
 from vstatics.simulation.record.words import event_of
 from vstatics.simulation.scenario.parts import SequenceStep
 from vstatics.simulation.scenario.programme import programmes
-from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.curves import is_limited, programme_at
 from vstatics.simulation.system.devices import with_programmes
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS
@@ -509,18 +509,17 @@ class EventRun:
     def _joined(self, at: Instant, before: States | None) -> tuple[Instant, Collection[int]]:
         """Return the instant after an impact, and the indices of contacts that close at a slip."""
         system = self.system
-        rigid: list[int] = []
-        joining: list[int] = []
-        for index, contact in enumerate(system.contacts):
-            if contact.one_way or contact.while_open is not None:
-                continue
-            if contact.programme.look is None and math.isinf(capacity_at(contact, at.time)):
-                rigid.append(index)
-                slip = abs(float(contact.row @ at.speeds))
-                if slip > STANDING * self.scales.speed and (
-                    before is None or before.contacts[index] != "rigid"
-                ):
-                    joining.append(index)
+        rigid = [
+            index
+            for index, contact in enumerate(system.contacts)
+            if not (contact.one_way or is_limited(contact, at.time))
+        ]
+        joining = [
+            index
+            for index in rigid
+            if (before is None or before.contacts[index] != "rigid")
+            and abs(float(system.contacts[index].row @ at.speeds)) > STANDING * self.scales.speed
+        ]
         if not joining:
             return at, joining
         after_impact = impact(system, at, rigid, joining)

@@ -14,9 +14,9 @@ from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.split import KnownLimits, least, most_room, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at
-from vstatics.simulation.system.curves import curve_along, programme_along, programme_at
+from vstatics.simulation.system.curves import curve_along, is_limited, programme_along
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, RigidMechanism
+from vstatics.simulation.system.matrices import SIGNS, Contact, RigidMechanism
 from vstatics.simulation.system.sight import Compared
 from vstatics.simulation.system.structure import Multiplier
 from vstatics.simulation.system.values import TURNING
@@ -213,7 +213,7 @@ class Margins:
             if state == "stick":
                 first = contact.switch.jump.side if contact.switch else "+"
                 for side in (1, -1) if first == "+" else (-1, 1):
-                    if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
+                    if (side == 1 and contact.one_way) or is_limited(contact, equations.time):
                         row = equations.structure.contact_rows[index]
                         self.holding.append((contact, row, side))
                         self._watch("hold", index, side)
@@ -242,7 +242,7 @@ class Margins:
         self.bending: list[int] = []
         self.gripping: list[tuple[int, float]] = []
         for index, (spring, state) in springs:
-            if state == "stick" and _is_limited(spring, self.equations.time):
+            if state == "stick" and is_limited(spring, self.equations.time):
                 self.bending.append(index)
                 self._watch("limit", index)
         for index, (spring, state) in springs:
@@ -606,11 +606,6 @@ class Margins:
             trial = elastic + springs[index].viscous * rates[first + index]
             margins.append((sign * trial)[None, :])
         return margins
-
-
-def _is_limited(device: Contact | Elastic, time: float) -> bool:
-    programme = device.programme
-    return programme.look is not None or math.isfinite(programme_at(programme, time))
 
 
 def _limits(contact: Contact, side: int, times: Floats, seen: Floats | None) -> Floats:

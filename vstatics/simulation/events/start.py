@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 
 import numpy as np
@@ -14,7 +13,7 @@ from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.parts import Scenario
-from vstatics.simulation.system.curves import capacity_at
+from vstatics.simulation.system.curves import is_limited
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved, split_motions
 from vstatics.simulation.tolerances import MOVING_LINK, STANDING
@@ -243,8 +242,7 @@ def _backward(
         if largest(contact.row @ light) > MOVING_LINK:
             continue
         slip = float(contact.row @ speeds)
-        limited = contact.programme.look is not None or not math.isinf(capacity_at(contact, 0.0))
-        if contact.one_way and slip < -STANDING * scale and not limited:
+        if contact.one_way and slip < -STANDING * scale and not is_limited(contact, 0.0):
             yield Problem(
                 "E612",
                 f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel "

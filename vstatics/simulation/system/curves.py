@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
@@ -10,7 +11,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
-from vstatics.simulation.system.matrices import Contact
+from vstatics.simulation.system.matrices import Contact, Elastic
 
 Slopes = TypeVar("Slopes", float, Floats)
 Torque = Callable[[float, float, float], float]
@@ -45,6 +46,12 @@ def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) 
     if at == 0 or programme.factor == 0:
         return 0.0
     return at * programme.factor
+
+
+def is_limited(device: Contact | Elastic, time: float) -> bool:
+    """Return whether the torque of a contact or spring has a limit at a time [s]."""
+    programme = device.programme
+    return programme.look is not None or math.isfinite(programme_at(programme, time))
 
 
 def programme_along(programme: Programme, times: Floats, seen: Floats | None = None) -> Floats:
