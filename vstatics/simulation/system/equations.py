@@ -26,15 +26,15 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.affine import Affine
 from vstatics.simulation.system.curves import slope_ahead
+from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, RigidMechanism
-from vstatics.simulation.system.ports import Ports, States
+from vstatics.simulation.system.ports import States
 from vstatics.simulation.system.sliding import Sliding
 from vstatics.simulation.system.structure import MotionStructure, null
 from vstatics.simulation.system.values import OfTorques, ValueChanges
 from vstatics.simulation.system.variators import VariatorTorques
 from vstatics.simulation.system.varying_losses import VaryingLosses
 from vstatics.simulation.tolerances import (
-    AHEAD,
     DIFFERENCE_STEP,
     LEAST_SENSE,
     NEWTON_STEP,
@@ -53,7 +53,7 @@ _LIMIT_ROUNDS = 8
 """Largest number of iterations for derivatives of spring limits that depend on the motion."""
 
 
-class Equations:
+class Equations(KnownMotion):
     """Equations of motion between two events, during which all inputs are smooth.
 
     Parameters
@@ -84,27 +84,8 @@ class Equations:
         rounding: float = STANDING,
         carried: Sequence[float] = (),
     ) -> None:
-        layout = self.layout = system.layout
-        self.system, self.structure, self.states = system, structure, states
-        self.time = time
-        """Time of the first event. [s]"""
-        self.ports = Ports(system, states, time, rounding)
-        self.motions = structure.free.shape[1]
-        self.springs = len(system.springs)
-        self.twists = slice(self.motions, self.motions + self.springs)
-        self.angles = slice(self.twists.stop, self.twists.stop + len(layout.angles))
-        self.values = slice(self.angles.stop, self.angles.stop + len(layout.values))
-        self.works = slice(self.values.stop, self.values.stop + layout.ports)
-        self.damped = slice(self.works.stop, self.works.stop + self.springs)
-        self.slipped = slice(self.damped.stop, self.damped.stop + self.springs)
-        self.meshed = slice(self.slipped.stop, self.slipped.stop + len(system.meshes))
-        self.size = self.meshed.stop
-        self.viscous = np.array([spring.viscous for spring in system.springs])
-        slips = ~self.ports.bends
-        self.acting_dampers = np.where(slips, self.viscous, self.ports.by_rate[layout.spring_ports])
-        """Damping coefficients of springs, including slipping springs. [N*m*s/rad]"""
-        self.creeps = slips & (self.viscous > 0)
-        self.limited = slips & (self.viscous == 0)
+        super().__init__(system, structure, states, time, rounding)
+        layout = self.layout
         self.seen_limits = [limit for limit in self.ports.limits if self.limited[limit[0]]]
         """Springs that slip at a limit under feedback control: index, sign of the torque, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
@@ -118,11 +99,8 @@ class Equations:
             if system.contacts[index].drives
         ]
         """Drivers (contacts that stick at a speed other than 0): port, row of constraint torque."""
-        self.angle_rows = np.array([structure.free[link] for link in layout.angles])
-        self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _FEWEST_STEPS
         """Longest time step if a torque is a formula of time, since it can contain a pulse. [s]"""
-        self.within = AHEAD * system.scenario.span
         self.last_light = np.zeros(self.light)
         """Speeds of motions without inertia, near which Newton's method looks for a balance."""
         if self.light:
@@ -130,7 +108,7 @@ class Equations:
         self.variators = VariatorTorques(self) if system.variators else None
         self.losses = VaryingLosses(self, carried) if system.varying else None
         self.sliding = Sliding(self) if self.layout.shares else None
-        self.changes = ValueChanges(self)
+        self.changes: ValueChanges = ValueChanges(self)
         """Rates of change of control states and temperatures."""
 
     def _split_light(self) -> None:
