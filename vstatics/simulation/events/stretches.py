@@ -406,10 +406,6 @@ class Closed:
         by_rate = slopes_by_rate(self.equations, time, state)
         return by_rate, slopes_by_state(self.equations, time, state)
 
-    def _bends_elsewhere(self, time: float, state: Floats) -> bool:
-        """Return whether torque slopes in a state differ from those in the present matrix A."""
-        return _differ(self._slopes(time, state), self.known)
-
     def _balanced(self) -> Floats:
         """Return factors that convert speeds and twists to square roots of energies."""
         equations = self.equations
@@ -487,7 +483,7 @@ class Closed:
                     )
                     self.shorter = min(1.0, 2 * self.shorter)
                 self.solutions.parts[self.size] = self.most, self.shorter
-            elif time > straightened and self._bends_elsewhere(time, state):
+            elif time > straightened and _differ(self._slopes(time, state), self.known):
                 self._straighten(time, state)
                 straightened = time  # only once at a time, as slopes near 0 are rounded differently
             else:
