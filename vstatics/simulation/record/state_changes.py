@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.simulation.events.selection import ModeSelection
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
-from vstatics.simulation.record.words import event_of, released, slid_back
+from vstatics.simulation.record.words import event_of
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
 from vstatics.simulation.system.structure import moves
@@ -70,9 +70,7 @@ class StateChanges(NamedTuple):
             if kind == "slips" and self._is_slipping(device):
                 return
         if kind is not None:
-            event = event_of(self.time, device, kind)
-            event = released(event) if after == "open" else event
-            self.record.events.append(slid_back(event) if after == "-" else event)
+            self.record.events.append(event_of(self.time, device, kind, after=after))
 
     def _is_slipping(self, device: Contact | Elastic) -> bool:
         """Return whether a contact or spring began to slip right before the instant.

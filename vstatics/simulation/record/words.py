@@ -8,7 +8,16 @@ from vstatics.simulation.system.matrices import Contact, Elastic, RigidMechanism
 Device = Contact | Elastic | RigidMechanism
 
 
-def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
+_BY_STATE = {("slips", "open"): "opens", ("overruns", "-"): "slips"}
+"""Words that a state after the event replaces.
+
+A shift element opens by its control, or a freewheel slips back because its capacity is exceeded.
+"""
+
+
+def event_of(
+    time: float, device: Device, kind: EventKind, energy: float = 0.0, after: str = ""
+) -> Event:
     """Return an event of a component, with the word for its kind.
 
     Parameters
@@ -17,21 +26,11 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
         Time of the event. [s]
     energy : float
         Energy lost in an impact. [J]
+    after : str
+        State of the component after the event; see `States`.
     """
-    return Event(time, device.name, kind, energy, _word(device, kind))
-
-
-def slid_back(event: Event) -> Event:
-    """Return the event of a freewheel with the word `slips` instead of `overruns`.
-
-    The freewheel slips in the locking direction because its capacity is exceeded.
-    """
-    return event._replace(word="slips") if event.word == "overruns" else event
-
-
-def released(event: Event) -> Event:
-    """Return an event of a shift element with the word for opening by control."""
-    return event._replace(word="opens") if event.word == "slips" else event
+    word = _word(device, kind)
+    return Event(time, device.name, kind, energy, _BY_STATE.get((word, after), word))
 
 
 def _word(device: Device, kind: EventKind) -> str:
