@@ -67,12 +67,7 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
         if in_gear and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
     free = null(system.rows(rows))
-    seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
-    bent = [
-        spring
-        for spring in system.springs
-        if programme_at(spring.programme, 0.0, seen) > 0 and not spring.is_damper
-    ]
+    bent = [system.springs[index] for index in _carried_limits(system, speeds)]
     if not bent or not free.shape[1]:
         return 0.0
     forms = np.array([spring.row for spring in bent]) @ free
@@ -100,14 +95,11 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     NoChoice
     CaseError
     """
-    seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
-    limits = [programme_at(spring.programme, 0.0, seen) for spring in system.springs]
-    bent = [n for n, limit in enumerate(limits) if limit > 0 and not system.springs[n].is_damper]
-    held = _held_torques(system, speeds, bent)
+    limits = _carried_limits(system, speeds)
+    held = _held_torques(system, speeds, [*limits])
     twists = np.zeros(len(system.springs))
-    for index in bent:
-        spring, limit = system.springs[index], limits[index]
-        torque = max(-limit, min(limit, held.get(index, 0.0)))
+    for index, limit in limits.items():
+        spring, torque = system.springs[index], max(-limit, min(limit, held.get(index, 0.0)))
         twist = spring.curve.twist_at(torque)
         if twist is None:
             raise CaseError(
@@ -118,6 +110,17 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
             )
         twists[index] = twist
     return twists
+
+
+def _carried_limits(system: MotionSystem, speeds: Floats) -> dict[int, float]:
+    """Return the torque limits of springs that carry torque at the start [N*m], by index."""
+    seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
+    limits = [programme_at(spring.programme, 0.0, seen) for spring in system.springs]
+    return {
+        index: limit
+        for index, limit in enumerate(limits)
+        if limit > 0 and not system.springs[index].is_damper
+    }
 
 
 def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> dict[int, float]:
