@@ -136,6 +136,20 @@ def test_a_link_between_two_packs_has_one_torque_and_does_not_jump(
     assert motion.speeds[-1] == pytest.approx([195.44, 195.44 - slip, 2.28])
 
 
+def test_a_law_over_the_slip_acts_while_the_pressure_rises() -> None:
+    """A pressure that rises by 1 Pa gives the motion of a constant pressure; its energy closes."""
+    box = """{links: [a, m, b], inertias: {a: 1, b: 2}, springs: {S: {links: [m, b], stiffness: 200}},
+ shift_elements: {C: {links: [a, m], friction: {radius: 0.1, area: 0.01, surfaces: 2,
+    coefficient: [[0, 0.1], [100, 0.2]]}}}}"""
+    start = "duration: 0.1\nstart: {speeds: {a: 100, b: 0}}\ntorques: {a: 5}\n"
+    constant, rising = (
+        simulated(f"{start}controls: {{C: [[0, 2e6], [2, {end}]]}}\n", box)
+        for end in ("2e6", "2000001")
+    )
+    assert rising.speeds[-1] == pytest.approx(constant.speeds[-1], rel=1e-6)
+    assert closes(rising)
+
+
 @pytest.mark.parametrize("states", ["", 'states: {p: {rate: "(1e6 - p)/0.01"}}\n'])
 def test_a_clutch_that_fades_with_its_own_heat_locks_when_it_should(states: str) -> None:
     """Heat is ``E = J (s0^2 - s^2)/2``, so ``J ds/dt = -N (a + b s^2)``: a tangent.

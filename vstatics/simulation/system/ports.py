@@ -361,12 +361,12 @@ class Ports:
         if contact.programme.look is not None:
             self._controlled(port, contact.programme, SIGNS[state], (SIGNS[state] * value, slope))
             return
+        self.senses_rate[port] = slope != 0
         curve = contact.programme.curve
         if isinstance(curve, Points) and not curve.piece(curve.piece_at(time))[1]:
             normal = programme_at(contact.programme, time)
             self.c0[port] = SIGNS[state] * normal * value
             self.by_rate[port] = normal * slope
-            self.senses_rate[port] = slope != 0
             return
 
         def torque(at: float, slip: float, _angle: float) -> float:
