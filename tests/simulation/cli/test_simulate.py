@@ -16,6 +16,7 @@ import pytest
 from tests.chance import some
 from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
+from tests.installed import needs
 from tests.processes import names
 from vstatics import Problem, ReadError
 from vstatics.simulation import load_scenario
@@ -239,6 +240,7 @@ def test_an_output_with_the_suffix_of_a_picture_leads_to_the_command_plot() -> N
     assert said.is_wrong_use("or none for text; `vstatics plot --kind shift` draws pictures")
 
 
+@needs("vehicle")
 def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
     """A road of 1000 kg on wheels of 0.3 m needs 1000*0.3^2 = 90 kg*m^2, and the link has 0.8."""
     road = "{road: {mass: 1000, radius: 0.3, rolling: 0.01}}"
@@ -249,6 +251,9 @@ def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
         said = vstatics(*command)
         assert said.err.count("road.yaml:5:19: warning: ") == 1
         assert "expected 90 for a mass of 1000 kg" in said.err
+    Path("box.yaml").write_text(f"{CASE}vehicle: {{mass: 9, radius: 0.3}}\n", "utf-8")
+    assert "counts twice" in vstatics("check", "box.yaml").err
+    assert vstatics("simulate", "lock.yaml").is_without_messages()
 
 
 @pytest.mark.parametrize("options", [["-q"], ["--allow", "W201"]])
