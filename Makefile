@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 OLDEST = .venv-oldest/bin
-QUIETLY = -q --disable-pip-version-check
+QUIETLY = -qq --disable-pip-version-check
 CASE ?= cases/zf-8hp70.yaml
 # A process of pytest for each core; make test TEST_JOBS=0 runs the tests in one.
 TEST_JOBS ?= logical

@@ -168,6 +168,7 @@ elements: {W: {kind: worm, worm: m, wheel: drum, teeth: {worm: 1, wheel: 40},
 efficiency: {worm: 0.55, wheel: 0}}}}""")
     line = next(line for line in gear_lines(text) if "40.0" in line)
     assert line.split() == ["1", "40.000", "-", "-", "1400", "m", "self-locking"]
+    assert " port " not in text
 
 
 def test_ports_are_shown_if_they_have_more_than_ratio_and_efficiency() -> None:

@@ -5,18 +5,23 @@ The numbers are those of the facts about a single planetary set: its brake locks
 
 import csv
 import io
+import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from tests.chance import some
 from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
+from tests.installed import needs
 from tests.processes import names
-from vstatics import Problem
+from vstatics import Problem, ReadError
 from vstatics.simulation import load_scenario
 from vstatics.simulation import run as module
+from vstatics.simulation.scenario.file import load_scenario_file, read_scenario
 
 CASE = """\
 name: one set
@@ -204,11 +209,38 @@ def test_shipped_scenarios_fit_their_schema() -> None:
         load_scenario(file)
 
 
+SHAPES = [[0, 0, 1, 9], [[]], [5], [], {}, None, 5, {"points": [0, 1]}]
+
+
+def replaced(value: Any, by: Any) -> Iterator[Any]:
+    """Copies of a document, each with another value replaced."""
+    pairs = value.items() if isinstance(value, dict) else ()
+    for key, below in pairs:
+        for other in (by, *replaced(below, by)):
+            yield value | {key: other}
+
+
+def test_a_scenario_has_the_shape_of_its_schema_if_it_can_be_read() -> None:
+    yaml = pytest.importorskip("yaml")
+    file = CASES / "scenarios/8hp70-downshift.yaml"
+    reading, schema = load_scenario_file(file).reading, validator("scenario")
+    document = yaml.safe_load(file.read_text("utf-8")) | {"limits": {}, "targets": {}}
+    for new in some([new for by in SHAPES for new in replaced(document, by)]):
+        wrong = set()
+        try:
+            read_scenario(json.dumps(new).encode(), "").with_case(reading)
+        except ReadError as error:
+            wrong = {problem.id for problem in error.problems}
+        is_valid = schema.is_valid(new)
+        assert not (wrong & {"E127", "E190", "E191"} if is_valid else not wrong), new
+
+
 def test_an_output_with_the_suffix_of_a_picture_leads_to_the_command_plot() -> None:
     said = vstatics("simulate", "upshift.yaml", "-o", "run.png")
     assert said.is_wrong_use("or none for text; `vstatics plot --kind shift` draws pictures")
 
 
+@needs("vehicle")
 def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
     """A road of 1000 kg on wheels of 0.3 m needs 1000*0.3^2 = 90 kg*m^2, and the link has 0.8."""
     road = "{road: {mass: 1000, radius: 0.3, rolling: 0.01}}"
@@ -219,6 +251,9 @@ def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
         said = vstatics(*command)
         assert said.err.count("road.yaml:5:19: warning: ") == 1
         assert "expected 90 for a mass of 1000 kg" in said.err
+    Path("box.yaml").write_text(f"{CASE}vehicle: {{mass: 9, radius: 0.3}}\n", "utf-8")
+    assert "counts twice" in vstatics("check", "box.yaml").err
+    assert vstatics("simulate", "lock.yaml").is_without_messages()
 
 
 @pytest.mark.parametrize("options", [["-q"], ["--allow", "W201"]])

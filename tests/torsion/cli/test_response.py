@@ -75,6 +75,14 @@ def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
     assert speeds("10 rev/s") == [600.0]
 
 
+def test_without_orders_the_cylinders_fire() -> None:
+    """In a four-stroke engine of 6 cylinders, 3 fire per revolution."""
+    text = f"{GOOD}cylinders: 6\n"
+    fires = document("response", *SPEED, text=text)
+    assert fires == document("response", "--orders", "3", *SPEED, text=text)
+    assert said("response", *AT, *SPEED, text=text).is_wrong_use("expected --orders")
+
+
 def test_csv_is_one_table_with_a_line_for_each_value() -> None:
     call = ("response", *AT, "--orders", "2,4.5", *SPEED, "--sum")
     [gear] = document(*call, text=GOOD)["gears"]

@@ -671,3 +671,13 @@ def test_with_a_freewheel_behind_the_turbine_the_engine_supplies_the_drag_of_the
         assert steps["engine speed [rpm]"][step] * math.pi / 30 == pytest.approx(turbine / i)
         assert steps["engine torque [N*m]"][step] == pytest.approx(2 / (2 - i))
     assert calls.call_count < 60  # halving a bracket to 1e-12 takes 40 for each of two torques
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_cycle_has_no_message_about_the_load_of_the_case() -> None:
+    """The pump takes at most 3e-3*w^2, 132 N*m at 2000 rpm, not the 9 kN*m of the case."""
+    text = LOCK_UP.replace("200 N*m", "9 kN*m").replace("{slip: {LU: 5 rad/s}}", "[]")
+    Path("car.yaml").write_text(text, "utf-8")
+    Path("t.csv").write_text("time [s],speed [km/h],gear\n0,36,creep\n9,36,creep\n", "utf-8")
+    assert "at no speed ratio" in vstatics("run", "car.yaml").err
+    assert vstatics("cycle", "car.yaml", "t.csv").is_without_messages()

@@ -239,7 +239,7 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPH},slope,grade\n0,0,0,0\n1,5,0,0\n", "both `slope` and `grade`"),
         ("0,0\n1,5\n2,7\n", "read the heading '0'"),
         ("time [s],speed [km/h],gear number,duration [s],gear\n", "these are time steps"),
-        ("time [s]\n0\n1\n", "`speed .m/s.` is missing"),
+        ("time [s]\n0\n1\n", "`speed .km/h.` is missing"),
         (f"{MPH},slope,grade [deg]\n0,0,0,0\n1,5,0,0\n", "read both `slope` and `grade`"),
         (f"{MPH},grade\n0,0,0.5\n1,5,2.5\n", ":3:1: error: grade: read 2.5, expected -1 to"),
         # names as R writes them: github.com/tidyverse/readr/issues/130

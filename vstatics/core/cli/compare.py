@@ -21,7 +21,7 @@ from vstatics.core.comparison.compared_files import (
     verdicts_of_directories,
     verdicts_of_files,
 )
-from vstatics.core.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.core.comparison.tolerances import Tolerances, left_out, read_tolerance
 from vstatics.core.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.core.errors import ReadError, count_of
 from vstatics.core.jobs.input_files import TABLE_BYTES
@@ -36,10 +36,10 @@ FORMATS = ("text", "markdown", "json", "junit")
 def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
     return click.option(
         name,
-        type=float,
-        default=default,
+        metavar="FLOAT",
+        default=str(default),
         show_default=True,
-        callback=value(tolerance),
+        callback=value(read_tolerance),
         help=says,
     )
 

@@ -32,6 +32,22 @@ def tolerance(number: float) -> float:
     return number
 
 
+def read_tolerance(text: str) -> float:
+    """Return a tolerance from a number or a percentage.
+
+    >>> read_tolerance("1e-9"), read_tolerance("5%")
+    (1e-09, 0.05)
+    """
+    from vstatics.core.readers.named.scalars import number  # costs start-up time
+
+    try:
+        given = number(text)
+    except ValueError:
+        expected = "a number of 0 or more, such as 1e-6 or 5%"
+        raise ValueError(f"read {quoted(text)}, expected {expected}") from None
+    return tolerance(given)
+
+
 def left_out(names: str | Iterable[str]) -> frozenset[str]:
     """Convert names or deck names of tables to names.
 

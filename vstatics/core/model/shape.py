@@ -274,7 +274,7 @@ class ByForm(NamedTuple):
     """Declaration of a value that is a single value, list or mapping, each with its own shape."""
 
     expected: str
-    scalar: Leaf | Parsed
+    scalar: Leaf | Parsed | None
     listing: ListOf
     mapping: ByKey | None = None
 

@@ -169,7 +169,11 @@ def _speed_ratios(results: Results, number: int) -> list[float]:
 
 
 def _ports(gears: Sequence[PortTable], digits: int | None, width: int) -> list[RichTable]:
-    """Return the table of ports; empty if all its numbers follow from ratios and efficiencies."""
+    """Return the table of ports; empty if all its numbers follow from ratios and efficiencies.
+
+    Gears without torques are omitted, because the table of gears states why they have none.
+    """
+    gears = [gear for gear in gears if not all(math.isnan(port.torque) for _, port in gear.rows)]
     if not any(gear.has_more_than_ratios for gear in gears):
         return []
     grid = ports_grid(gears)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
+from itertools import chain, zip_longest
 from textwrap import wrap
 
 from vstatics.core.groups import filled
@@ -14,6 +15,7 @@ TABLE_WIDTH = 80
 
 Wider tables are split between columns of numbers, or between pairs of number and word.
 """
+_COMMA = re.compile(r"(?<=,) ")
 GAP = "  "
 INDENT = "  "
 """Indentation of a row for each level."""
@@ -66,7 +68,10 @@ def lines(
     rows = [[column.heading for column in grid.columns], *grid.texts]
     for row, level in zip(rows[1:], grid.levels, strict=False):
         row[0] = INDENT * (level - 1) + row[0]
-    widths = widths or [max(map(len, column)) for column in zip(*rows, strict=True)]
+    if not widths and len(_inseparable(grid)) == 1:
+        lists = [place for place, column in enumerate(grid.columns) if not column.is_number]
+        rows = _folded(rows, lists, TABLE_WIDTH - len(indent) - len(gap) * (len(rows[0]) - 1))
+    widths = widths or _widths(rows)
     first = 0 if any(rows[0]) else 1
     for number, columns in enumerate(_pieces(grid, widths, TABLE_WIDTH - len(indent), len(gap))):
         if number:
@@ -82,6 +87,35 @@ def lines(
                 for column in columns
             )
             yield f"{indent}{gap.join(padded)}".rstrip()
+
+
+def _widths(rows: Iterable[Sequence[str]]) -> list[int]:
+    return [max(map(len, column)) for column in zip(*rows, strict=True)]
+
+
+def _folded(rows: list[list[str]], lists: Sequence[int], room: int) -> list[list[str]]:
+    """Return rows no wider than `room`, if commas in the columns `lists` permit it.
+
+    >>> _folded([["set", "sun: a, ring: b, carrier: c"]], [1], 20)
+    [['set', 'sun: a, ring: b,'], ['', 'carrier: c']]
+    """
+    widths = _widths(rows)
+    if sum(widths) <= room:
+        return rows
+    for place in sorted(lists, key=lambda place: -widths[place]):
+        least = max(len(part) for row in rows for part in _COMMA.split(row[place]))
+        widths[place] = max(least, widths[place] + min(room - sum(widths), 0))
+    return [
+        list(line)
+        for row in rows
+        for line in zip_longest(
+            *(
+                broken(_COMMA.split(cell), width, indent="")
+                for cell, width in zip(row, widths, strict=True)
+            ),
+            fillvalue="",
+        )
+    ]
 
 
 def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:

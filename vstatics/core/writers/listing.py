@@ -26,6 +26,7 @@ CONVENTIONS = (
     "output torque, given to the load; ratio is w_input/w_output."
 )
 COASTING = "Coasting: the power enters at the output; in this scaling losses are below 0."
+ASTERISKS = "Asterisks: the value is undefined or indeterminate, or given by a law."
 LISTING_DECIMALS = 3
 """Number of decimals in the published report."""
 MESSAGES = "Messages:"
@@ -49,7 +50,10 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
         if coasting:
             gears = f" ({', '.join(coasting)})" * (len(coasting) < len(case.gears))
             lines.append(tr(COASTING) + gears)
-        lines += [*table_lines(results, tables(results), digits), *messages(results)]
+        body = [*table_lines(results, tables(results), digits)]
+        if any("***" in line for line in (lines[0], *body)):
+            lines.append(tr(ASTERISKS))
+        lines += [*body, *messages(results)]
     return "\n".join(lines) + "\n"
 
 

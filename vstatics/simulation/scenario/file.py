@@ -92,6 +92,10 @@ class ScenarioFile(NamedTuple):
         return tuple(abs(speed) / RAD_PER_RPM for speed in speeds if speed)
 
 
+_OF_VEHICLE = ("W202", "W891")
+"""Ids of warnings about the key `vehicle` of a case, which a run does not use."""
+
+
 class ScenarioDocument(NamedTuple):
     """Scenario as a tree of YAML nodes, before the case is known."""
 
@@ -141,6 +145,7 @@ class ScenarioDocument(NamedTuple):
         spots = Spots(self.decoded)
         walk = Walk(spots)
         case = reading.case
+        reading = reading._replace(warnings=not_allowed(reading.warnings, _OF_VEHICLE))
         walk.references.set_link_names(case.link_names[: case.own_links])
         elements = (element.name for element in case.shift_elements)
         walk.references.set_numbers("shift element", elements)

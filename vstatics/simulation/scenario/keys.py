@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn
+from typing import Any
 
 from vstatics.core.model.keys import ENGAGED, ROLLING
 from vstatics.core.model.shape import (
@@ -341,8 +341,8 @@ def _sequence(when: Parsed, value: Parsed) -> ByForm:
     )
     steps = ListOf(step, "steps", unique=False)
     return ByForm(
-        _STEPS,
-        Parsed(_STEPS, _no_steps, []),
+        "a list of steps, or a mapping with `steps`",
+        None,
         steps,
         ByKey(
             "Sequence",
@@ -354,13 +354,6 @@ def _sequence(when: Parsed, value: Parsed) -> ByForm:
             GivenSteps,
         ),
     )
-
-
-_STEPS = "a list of steps, or a mapping with `steps`"
-
-
-def _no_steps(_: str) -> NoReturn:
-    raise ValueError(f"expected {_STEPS}")
 
 
 _GENERAL_KEYS = (

@@ -71,24 +71,30 @@ class Exciting(NamedTuple):
     torque: str | None = None
     """Name of a file with a table of harmonics."""
 
-    def harmonics(self) -> list[Harmonic]:
+    def harmonics(self, firing: float = 0) -> list[Harmonic]:
         """Return the chosen harmonics of the table, or the given orders with 1 N*m each.
+
+        `firing` is the order without a table and given orders; 0 if unknown.
 
         Raises
         ------
-        BadParameter
-            If the table does not contain a given order.
+        UsageError
+            If no order is known, or if the table does not contain a given order.
         """
         from vstatics.torsion.forced.harmonic_torques import Harmonic
         from vstatics.torsion.forced.torque_table import read_torque_table
 
         if self.torque is None:
-            return [Harmonic(order) for order in dict.fromkeys(self.orders or ())]
-        table = read_torque_table(*files.read_input(self.torque))
-        by_order = {harmonic.order: harmonic for harmonic in table}
+            if not (orders := self.orders or [firing] * bool(firing)):
+                raise click.UsageError("expected --orders, --torque or both")
+            return [Harmonic(order) for order in dict.fromkeys(orders)]
+        by_order = {
+            harmonic.order: harmonic
+            for harmonic in read_torque_table(*files.read_input(self.torque))
+        }
         for order in self.orders or ():
             if order not in by_order:
-                known = ", ".join(f"{in_table:g}" for in_table in by_order)
+                known = ", ".join(map("{:g}".format, by_order))
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
         return [by_order[order] for order in dict.fromkeys(self.orders or by_order)]
@@ -165,7 +171,8 @@ def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
         metavar="N,...",
         callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
         help="Orders per revolution of LINK, each with a torque of 1 N*m. If --torque is given: "
-        "orders to select from its table.",
+        "orders to select from its table. Without --at, half the `cylinders` of the case "
+        "by default.",
     ),
     click.option(
         "--speed",
@@ -222,9 +229,7 @@ def response_command(
 
     Exit status 1: the case has an error, or a gear has no response.
     """
-    to = request.destination(*([exciting.torque] if exciting.torque else []))
-    if exciting == Exciting():
-        raise click.UsageError("expected --orders, --torque or both")
+    to = request.destination(*filter(None, [exciting.torque]))
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ResponseAnswer
@@ -232,27 +237,30 @@ def response_command(
         from vstatics.torsion.forced.tables import largest_grids, row_grids, speed_grids, sum_grids
 
         case = reading.case
-        harmonics = exciting.harmonics()
         working = chosen.of(case)
         link = _input_of(working) if at is None else link_name(case, at, "--at")
-        names = [at_point.gear.name for at_point in working]
-        gears = calculate_response(case, link, harmonics, speed, names, speed_ratios=chosen.ratios)
+        gears = calculate_response(
+            case,
+            link,
+            exciting.harmonics(0 if at else (case.cylinders or 0) / 2),
+            speed,
+            [at_point.gear.name for at_point in working],
+            speed_ratios=chosen.ratios,
+        )
         if with_sum:
             gears = [gear.with_sum() for gear in gears]
         notes = [
             *working_notes(reading, working, linearised=True),
             *located(reading, ((gear.name, _stuck_springs(case, gear)) for gear in gears), "N509"),
+            *located(reading, ((gear.name, _unbounded(case, gear)) for gear in gears), "N630"),
         ]
-        unbounded = located(
-            reading, ((gear.name, _unbounded(case, gear)) for gear in gears), "N630"
-        )
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return gears_answer(
             reading,
             gears,
             lambda: row_grids(gears) if to.form == "csv" else [*grids(gears), *sum_grids(gears)],
             ResponseAnswer(case.name, link, gears),
-            [*notes, *unbounded],
+            notes,
         )
 
     return request.answer(calculate, to, extra="torsion")

@@ -32,6 +32,19 @@ class ShiftSpeed(NamedTuple):
     down: float
     """Mean road speed of a step below which the lower gear is engaged. [m/s]"""
 
+    def between(self, names: Collection[str]) -> ShiftSpeed:
+        """Return the shift between two of the given gears, whose names can contain dashes.
+
+        >>> ShiftSpeed("2", "-3", 5.0, 4.0).between(["2-", "3"])[:2]
+        ('2-', '3')
+        """
+        text = f"{self.low}-{self.high}"
+        for at, letter in enumerate(text):
+            low, high = text[:at].strip(), text[at + 1 :].strip()
+            if letter == "-" and low in names and high in names:
+                return self._replace(low=low, high=high)
+        return self
+
 
 def read_shifts(text: str) -> list[ShiftSpeed]:
     """Parse shift speeds of neighbouring gears, beginning with the lowest gears.
@@ -51,7 +64,9 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
     shifts: list[ShiftSpeed] = []
     for item in text.split(","):
         gears, colon, speeds = item.partition(":")
-        low, dash, high = (part.strip() for part in gears.partition("-"))
+        gears = gears.strip()
+        low, dash, high = gears[1:].partition("-")  # a name can begin with a dash
+        low, high = f"{gears[:1]}{low}".strip(), high.strip()
         up, down = _two_speeds(speeds)
         if not (colon and dash and low and high) or up is None or down is None:
             example = "1-2: 15 km/h/12 km/h, 2-3: 30 km/h/25 km/h"
@@ -59,7 +74,7 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
             raise ValueError(f"read {item.strip()!r}, expected {expected}")
         if down > up:
             raise ValueError(f"read {item.strip()!r}, expected a downshift below the upshift")
-        if shifts and shifts[-1].high != low:
+        if shifts and shifts[-1].high != low and "-" not in shifts[-1].high + high:
             raise ValueError(f"read {item.strip()!r}, expected a shift from gear {shifts[-1].high}")
         shifts.append(ShiftSpeed(low, high, up, down))
     return shifts
@@ -109,6 +124,15 @@ class EngineSpeeds(NamedTuple):
         return speeds
 
 
+def _ladder(shifts: Sequence[ShiftSpeed]) -> list[str]:
+    """Return the gears of shifts in their order."""
+    ladder = [shifts[0].low, *(shift.high for shift in shifts)]
+    for gear, (low, high, _, _) in zip(ladder, shifts, strict=False):
+        if gear != low:
+            raise ValueError(f"read {f'{low}-{high}'!r}, expected a shift from gear {gear}")
+    return ladder
+
+
 def by_shift_speeds(
     case: Transmission,
     shifts: Sequence[ShiftSpeed],
@@ -146,7 +170,7 @@ def by_shift_speeds(
     array([0, 1, 1, 0])
     """
     names = [gear.name for gear in case.gears]
-    ladder = [shifts[0].low, *(shift.high for shift in shifts)]
+    ladder = _ladder([shift.between(names) for shift in shifts])
     for name in ladder:
         if name not in names:
             raise ValueError(unknown_gear(case, name))

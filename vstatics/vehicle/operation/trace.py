@@ -51,6 +51,7 @@ COLUMNS = (
     TableColumn(
         "speed",
         "velocity",
+        usual="km/h",
         aliases=dict.fromkeys(_SPEEDS, "")
         | dict.fromkeys(("cycmps", "mps", "m/s", "speed meters per second"), "m/s")
         | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")

@@ -269,14 +269,17 @@ OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
     ("80e9*pi*0.05**4/32", "stiffness", further("pi")),  # stiffness of a shaft, as a formula
     ("80e9*0.05^4/10", "stiffness", further("pi")),
     ("3 furlong", "length", ""),
+    ("345 mmm", "length", "; did you mean `mm`?"),
+    ("0.6 mmm", "area", ""),
+    ("9 kgg", "mass", "; did you mean `kg`?"),
     ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
     ("3 nm", "si_torque", "; did you mean `N*m`?"),
-    ("3 Nm/rad^", "stiffness", ""),
-    ("3 kg*m^2^2", "inertia", ""),
-    ("3 (kg*m^2", "inertia", ""),
-    ("3 kg)*m^2", "inertia", ""),
+    ("3 Nm/rad^", "stiffness", "; did you mean `N*m/rad`?"),
+    ("3 kg*m^2^2", "inertia", "; did you mean `kg*m^2`?"),
+    ("3 (kg*m^2", "inertia", "; did you mean `kg*m^2`?"),
+    ("3 kg)*m^2", "inertia", "; did you mean `kg*m^2`?"),
     ("3 ((((m)^4)^4)^4)^4", "length", ""),
-    ("3 kg//m^2", "inertia", ""),
+    ("3 kg//m^2", "inertia", "; did you mean `kg*m^2`?"),
     ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
 )
 

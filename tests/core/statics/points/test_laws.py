@@ -45,6 +45,8 @@ def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
     assert results.efficiency == pytest.approx([0.97, 1])
     assert [one.id for one in results.messages] == ["N414"]
     assert solve(case.replace(allow=["N414"])).messages == ()
+    free = case.replace(links=3, output=3, link_names=["engine", "gear", "out"])  # without torques
+    assert "N414" not in [one.id for one in solve(free).messages]
     points = solve(case, vary={"load.speed": [50, -101, 100, 400]}).points
     assert points is not None
     assert {name: at.T.tolist() for name, at in points.outside.items()} == {

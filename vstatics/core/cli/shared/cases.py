@@ -255,6 +255,10 @@ class CalculatedCase(NamedTuple):
         return self._replace(problems=[*self.problems, *more])
 
 
+_OF_LOAD = frozenset(("N414", "N421", "W426", "W427", "W430", "W431", "W433"))
+"""Ids of messages about a gear that another operating point of the case can remove."""
+
+
 class CaseOptions(NamedTuple):
     """Options for reading and calculating cases. An omitted option has the value of the case."""
 
@@ -272,7 +276,7 @@ class CaseOptions(NamedTuple):
     load: Load | None = None
     """Operating point for a case that has none."""
     is_nominal: bool = False
-    """True if the output does not depend on `load`. Messages about gears are then omitted."""
+    """True if the output does not depend on `load`. Messages about it are then omitted."""
 
     @property
     def at_nominal_load(self) -> CaseOptions:
@@ -459,6 +463,8 @@ def case_in_steps(
         gear_messages = reading.located_messages(results, each_gear=each_gear)
         if settings.is_nominal and results.case.load is settings.load:
             gear_messages = iter(())
+        elif settings.is_nominal:
+            gear_messages = (each for each in gear_messages if each.id not in _OF_LOAD)
         if is_run:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
         elif settings.of_vibration and results.failed and _vibrates(results.case):

@@ -33,7 +33,8 @@ NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
 """Pattern of a key that results from a decimal comma in braces: `5 rpm` of `{speed: 2000,5 rpm}`.
 """
-_BARE = re.compile(r"[-+]?[0-9.]+", re.ASCII)
+BARE = "[-+]?[0-9.]+([eE][-+]?[0-9]+)?"
+"""Pattern of a number without a unit."""
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
@@ -245,7 +246,7 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
         return walk.read(spot, shape.listing)
     if isinstance(spot.node, Mapping) and shape.mapping:
         return walk.read(spot, shape.mapping)
-    if isinstance(spot.node, Scalar) and not is_null(spot.node):
+    if isinstance(spot.node, Scalar) and shape.scalar is not None and not is_null(spot.node):
         return walk.read(spot, shape.scalar)
     return walk.refuse(spot, shape, f"expected {shape.expected}")
 
@@ -259,7 +260,7 @@ def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
     if not isinstance(node, Listing) or all(
         all(isinstance(item, Scalar) for item in row.items)
         if isinstance(row, Listing)
-        else isinstance(row, Scalar) and len(node.items) > 1 and _BARE.fullmatch(row.text)
+        else isinstance(row, Scalar) and len(node.items) > 1 and re.fullmatch(BARE, row.text)
         for row in node.items
     ):
         return [walk.read(spot, shape.item)]

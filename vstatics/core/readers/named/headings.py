@@ -69,6 +69,8 @@ class TableColumn(NamedTuple):
     optional: bool = False
     may_be_bare: bool = False
     """True if a heading without a unit means the SI unit."""
+    usual: str = ""
+    """Unit that messages suggest; empty for the SI unit."""
     any_unit: bool = False
     """True if the column can have any unit, which does not change the numbers."""
     meaning: str = ""
@@ -88,7 +90,7 @@ class TableColumn(NamedTuple):
         if self.sizes:
             unit = next(iter(self.sizes))
             return f"{self.name} [{unit}]" if unit else self.name
-        return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
+        return f"{self.name} [{self.usual or UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def accepts(self, unit: str | None) -> bool:
         """Return whether a text is a unit of the column, or whether it can be missing.
@@ -136,6 +138,7 @@ SHAFT_COLUMNS = (
     TableColumn(
         "speed",
         "si_speed",
+        usual="rpm",
         aliases=dict.fromkeys((*_SPEEDS, *(f"{engine} speed" for engine in _ENGINES)), "")
         | {"rpm": "rpm"},
     ),

@@ -151,7 +151,7 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
             return _NO_LINKS
         case Links():
             return _MANY_LINKS
-        case ListOf() | OneOrMany():
+        case ListOf() | OneOrMany() | ByForm(scalar=None):
             return ()
         case Pair():
             return ("", "")

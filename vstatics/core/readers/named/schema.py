@@ -35,6 +35,7 @@ from vstatics.core.model.shape import (
 )
 from vstatics.core.model.torsional_keys import DAMPING
 from vstatics.core.readers.named.arithmetic import ARITHMETIC
+from vstatics.core.readers.named.compounds import BARE
 from vstatics.core.readers.named.scalars import LINK_NUMBER, NUMBER
 from vstatics.core.readers.named.si_units import WITH_UNIT
 from vstatics.core.readers.named.units import QUANTITY
@@ -65,6 +66,12 @@ _DEFINITIONS: dict[str, Words] = {
 _GIVEN: Words = {"not": {"type": "null"}}
 _TWO_LINKS: Words = {"minimum": 2, "minItems": 2}
 _NOT_EMPTY: Words = {"minProperties": 1}
+_ROW: Words = {"type": "array", "items": {"type": ["number", "string", "boolean", "null"]}}
+_BARE: Words = {"type": ["number", "string"], "pattern": f"^{BARE}$"}
+_POINTS: Words = {
+    "anyOf": [{"items": _ROW}, {"items": {"anyOf": [_ROW, _BARE]}, "minItems": 2}],
+}
+"""Lists that are read as a single list of points, see `compounds.read_one_or_many`."""
 _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
@@ -83,6 +90,19 @@ _ENOUGH: tuple[Words, ...] = (
     ),
 )
 """Smallest sets of keys that define a case."""
+_WITH_ELEMENTS: Words = {
+    "properties": {"elements": _GIVEN},
+    "allOf": [
+        {
+            "anyOf": [
+                {"required": [key], "properties": {key: _GIVEN}}
+                for key in ("links", end, f"{end}s")
+            ]
+        }
+        for end in ("input", "output")
+    ],
+}
+"""A case with gear sets names its input and output, or lists its links."""
 
 
 def json_schema() -> Words:
@@ -101,7 +121,8 @@ def json_schema() -> Words:
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
     several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
     definitions = schema.pop("$defs") | several  # definitions come last
-    return {**schema, "anyOf": list(_ENOUGH), "$defs": definitions}
+    needed = {"anyOf": list(_ENOUGH), "dependentSchemas": {"elements": _WITH_ELEMENTS}}
+    return {**schema, **needed, "$defs": definitions}
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
@@ -172,8 +193,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ByPoints():
-            points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
-            return {"anyOf": [_shape(shape.row.items[-1]), points, _record(shape.mapping)]}
+            return _forms(shape.row.items[-1], _points(shape.row), shape.mapping)
         case ByLaw() if shape is EFFICIENCY:
             return _reference(_EFFICIENCY)
         case Balances() | ByLaw():
@@ -181,11 +201,11 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Parsed():
             return {"type": ["number", "string"]}
         case ByForm():
-            forms = (shape.scalar, shape.listing, shape.mapping)
-            return {"anyOf": [_shape(form) for form in forms if form is not None]}
+            return _forms(shape.scalar, shape.listing, shape.mapping)
         case OneOrMany():
             item = _shape(shape.item)
-            return {"anyOf": [*item["anyOf"], {"type": "array", "items": item, "minItems": 1}]}
+            several = {"type": "array", "items": item, "minItems": 1, "not": _POINTS}
+            return {"anyOf": [*item["anyOf"], several]}
         case ByKind():
             kinds = [_of_kind(shape, kind) for kind in shape.records]
             return {"oneOf": kinds} if len(kinds) > 1 else kinds[0]
@@ -223,9 +243,18 @@ def _of_law(shape: Balances | ByLaw) -> Words:
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
-    forms = (shape.scalar, shape.row and ListOf(shape.row), shape.mapping)
-    several = [_shape(form) for form in forms if form is not None]
-    return {"anyOf": several} if len(several) > 1 else several[0]
+    return _forms(shape.scalar, shape.row and _points(shape.row), shape.mapping)
+
+
+def _points(row: RowOf) -> Words:
+    return {**_shape(ListOf(row)), "minItems": 1}
+
+
+def _forms(*forms: Shape | Words | None) -> Words:
+    """Return the schema of a value with several forms, none of which is null."""
+    given = [form if isinstance(form, dict) else _shape(form) for form in forms if form]
+    given = [{**words, "type": "object"} if "properties" in words else words for words in given]
+    return {"anyOf": given} if len(given) > 1 else given[0]
 
 
 def _of_kind(shape: ByKind, kind: str) -> Words:

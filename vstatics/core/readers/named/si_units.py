@@ -14,6 +14,7 @@ from vstatics.core.readers.named.arithmetic import ARITHMETIC, UnitError, calcul
 from vstatics.core.readers.named.units import (
     LONGEST_UNIT,
     POUND_MASS,
+    TRIPLE,
     Quantity,
     factors,
     has_digits,
@@ -22,6 +23,7 @@ from vstatics.core.readers.named.units import (
     usual,
     with_article,
 )
+from vstatics.core.suggestions import nearest
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9_*·⋅∙×./^() ²³⁴⁻−¹]{{0,39}}$"
 """Regular expression of a number with a unit, for JSON Schema."""
@@ -109,6 +111,21 @@ _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torqu
 _TOKEN = re.compile(r" *(?:([*·.×⋅∙/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _LARGEST_EXPONENT = 4
+_USUAL: dict[Measure, str] = {
+    "length": "m mm cm km in ft",
+    "mass": "kg g t lb",
+    "inertia": "kg*m^2 kg*cm^2 kg*mm^2 g*cm^2 lb*ft^2",
+    "stiffness": "N*m/rad kN*m/rad N*m/deg",
+    "time": "s ms min h",
+    "angle": "rad deg mrad",
+    "area": "m^2 cm^2 mm^2",
+    "pressure": "Pa bar kPa MPa psi",
+    "stress": "Pa MPa N/mm^2",
+    "velocity": "m/s km/h mph",
+    "force": "N kN lbf",
+    "straight_stiffness": "N/m N/mm kN/m",
+}
+"""Units that hints suggest, by measure; only the unit in SI for other measures."""
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
@@ -155,7 +172,14 @@ def measured(text: str, measure: Measure, *, units: Sequence[str] = ()) -> float
         raise UnitError(f"{in_unit}; this is {with_article(other)}")
     if measure == "inertia" and dimension == _FLYWHEEL_EFFECT:
         raise UnitError(f"{in_unit}; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2")
-    raise UnitError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
+    raise UnitError(in_unit + _hint(text, behind, [measure]))
+
+
+def _hint(text: str, behind: str, measures: Sequence[Measure]) -> str:
+    """Return a hint with the usual unit most similar to an unknown unit; empty without one."""
+    hint = slip(text) or usual(behind, _QUANTITIES.get(measures[0]))
+    units = [unit for kind in measures for unit in _USUAL.get(kind, UNIT_OF[kind]).split()]
+    return hint or nearest(behind[:LONGEST_UNIT], units)
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
@@ -177,7 +201,11 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
         try:
             value = measured(text, measure)
         except ValueError as error:
-            fault = str(error) if len(measures) == 1 else fault
+            _, mark, hint = str(error).partition("; did you mean")
+            if len(measures) == 1:
+                fault = str(error)
+            elif mark not in fault:
+                fault += mark + hint
             continue
         return InUnit(value, measure if calculated(text).behind else None)
     raise UnitError(fault) if has_digits(text) else ValueError(fault)
@@ -288,7 +316,7 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
     if known := _OTHERS.get(word) or _IN_ANY_LETTERS.get(word.casefold()):
         return [known]
     whole = factors(word)
-    if not _known(whole):
+    if not _known(whole) and not TRIPLE.search(word):
         for end in range(len(word), 0, -1):
             head, tail = word[:end], word[end:]
             tail_factors = factors(tail) if tail else []

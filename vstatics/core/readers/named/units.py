@@ -102,6 +102,8 @@ _SPELLED = (
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 POUND_MASS = "lbm"
 """Pound as a mass, not the product of a pound and a metre."""
+TRIPLE = re.compile(r"(\w)\1\1")
+"""Pattern of a letter three times in a row, which is a slip: `mmm` is not an area."""
 LONGEST_UNIT = 40
 """Maximum number of characters of a unit."""
 
@@ -158,7 +160,7 @@ def factors(word: str) -> list[_Factor]:
     """Split a word into factors: N and m for `Nm`, an unknown factor for `Mm2`."""
     if word == "1":
         return []
-    if word.casefold() == POUND_MASS:
+    if word.casefold() == POUND_MASS or TRIPLE.search(word):
         return [("?", 1, 1)]
     for end in range(len(word), 0, -1):
         parts = [_factor(part) for part in (word[:end], word[end:]) if part]

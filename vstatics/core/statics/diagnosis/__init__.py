@@ -145,6 +145,8 @@ def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Mes
         for mechanism, ratio in _converters(case, gear)
         if mechanism.is_outside(ratio)
     ]
+    if all(map(math.isnan, results.lossy_torques[number].tolist())):
+        return  # no value is used
     laws = results.points.outside if results.points else {}
     names += [name for name, at in laws.items() if at[number]]
     if names:

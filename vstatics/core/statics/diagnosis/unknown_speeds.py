@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from vstatics.core.errors import Problem, plural, spoken
@@ -106,6 +107,13 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
     >>> [problem] = undriven_gears(solve(case))
     >>> problem.message
     'cannot drive: ...; `converters` act only in vibration and scenarios: write TC under `mecha...'
+
+    A converter whose links have known speeds is not the cause.
+
+    >>> sets = [Mechanism(1, 2, 0, 1.0), Mechanism(3, 4, 0, 2.0)]
+    >>> case = Transmission(4, [], sets, [Gear()], converters=[fluid])
+    >>> [problem.message for problem in undriven_gears(solve(case))]
+    ['cannot drive: expected another engaged shift element, or `kind: neutral`']
     """
     case = results.case
     for number, gear in enumerate(case.gears):
@@ -115,10 +123,14 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
             over = missed_freewheels(results, number, gear)
             _, exchange = overrunning(case, results.gear_at(number), over)
             cure = exchange or ": expected another engaged shift element, or `kind: neutral`"
-            if case.converters:
-                names = spoken([converter.name for converter in case.converters])
+            speeds = [0.0, *results.speeds[number]]
+            if separating := [
+                converter.name
+                for converter in case.converters
+                if math.isnan(speeds[converter.pump]) != math.isnan(speeds[converter.turbine])
+            ]:
                 cure += "; `converters` act only in vibration and scenarios: "
-                cure += f"write {names} under `mechanisms`"
+                cure += f"write {spoken(separating)} under `mechanisms`"
             if loose := _loose_ends(case, gear):
                 cure = f": {loose}"
             yield Problem("E453", f"cannot drive{cure}", ("gears", number + 1))
