@@ -24,7 +24,7 @@ SHOWN = {"text/html": "_repr_html_", "image/svg+xml": "_repr_svg_"}
 @pytest.mark.slow
 def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRequest) -> None:
     skip_without(*used_in(NOTEBOOK.read_text("utf-8")))
-    for extra in ("matplotlib", "pandas", "sympy", "xarray", "scipy", "numba"):
+    for extra in ("matplotlib", "pandas", "flint", "xarray", "scipy", "numba"):
         pytest.importorskip(extra)
     document = json_file(NOTEBOOK)
     names: dict[str, Any] = {}

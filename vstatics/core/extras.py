@@ -24,7 +24,7 @@ EXTRAS = {
     "simulation": "scipy",
     "pandas": "pandas",
     "xarray": "xarray",
-    "formula": "sympy",
+    "formula": "python-flint",
     "plot": "matplotlib",
     "xlsx": "openpyxl",
     "boxes": "numba",
@@ -34,6 +34,8 @@ _IN_ROOMS = {"damage": "torsion"}
 """Extra for each subpackage that does not have the name of its extra."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages that some extras install."""
+_IMPORTED_AS = {"python-flint": "flint"}
+"""Module of packages whose names differ from it."""
 
 SLOWER_WITHOUT = {"numba"}
 """Packages whose absence only makes an extra slower."""
@@ -152,14 +154,14 @@ def missing(extra: str, purpose: str) -> str:
     """Return the message that the package for a purpose is missing; empty if it is installed.
 
     >>> missing("formula", "the formula") in (
-    ...     "", 'the formula needs the package sympy: '
-    ...         'pip install ".[formula]" in the source folder, or pip install sympy')
+    ...     "", 'the formula needs the package python-flint: '
+    ...         'pip install ".[formula]" in the source folder, or pip install python-flint')
     True
     """
     from importlib.util import find_spec
 
     for package in (EXTRAS[extra], *BESIDES.get(extra, ())):
-        if package not in SLOWER_WITHOUT and find_spec(package) is None:
+        if package not in SLOWER_WITHOUT and find_spec(_IMPORTED_AS.get(package, package)) is None:
             return _needs(purpose, package, extra)
     return ""
 

@@ -119,9 +119,9 @@ def test_equal_gears_of_a_differential_are_no_symbol() -> None:
     assert [symbol.name for symbol in found.symbols] == ["u2", "u3", "u4"]
 
 
-def test_without_sympy_all_but_the_formula_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_flint_all_but_the_formula_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
     said = vstatics("explain", CASES / "differential.yaml", "--gear", "2")
     assert said.status == 0
     assert "w_1 + 2.5 w_2 - 3.5 w_3 = 0" in said.out
-    assert 'the formula needs the package sympy: pip install ".[formula]"' in said.out
+    assert 'the formula needs the package python-flint: pip install ".[formula]"' in said.out

@@ -73,11 +73,11 @@ def test_what_is_explained_has_the_minus_of_print_and_names_as_they_are() -> Non
     assert "solution" in words(*neutral)
 
 
-def test_without_sympy_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(formula, "missing", lambda *_: "the formula needs the package sympy")
-    monkeypatch.setattr(report_explained, "missing", lambda *_: "needs the package sympy")
+def test_without_flint_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(formula, "missing", lambda *_: "the formula needs the package python-flint")
+    monkeypatch.setattr(report_explained, "missing", lambda *_: "needs the package python-flint")
     low, _ = explained(set_of())
-    assert "sympy" not in words(*low)
+    assert "flint" not in words(*low)
     assert "i = w_1/w_3 = 3.5" in words(*low)
 
 

@@ -74,7 +74,7 @@ def explain_command(
       vstatics explain gearbox.yaml --gear 2 --worksheet --seed 7 -o exercise.tex
       vstatics explain gearbox.yaml --gear 2 --solution --seed 7 -o solution.tex
 
-    The formula needs SymPy: pip install ".[formula]" in the source folder.
+    The formula needs python-flint: pip install ".[formula]" in the source folder.
 
     Exit status 1: a case has an error, or a gear is tied up.
     """

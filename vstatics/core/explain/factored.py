@@ -1,17 +1,31 @@
 """Fractions of polynomials as written by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
 
 A fraction can be written as factors, as single terms, or as 1 plus a remainder, whichever is
-shortest. The sign of each factor is chosen for readability. Polynomials are objects of
-`sympy.polys` with integer coefficients.
+shortest. The sign of each factor is chosen for readability. Polynomials have integer coefficients
+and are calculated by the library FLINT.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-Fraction = Any
-"""Fraction of polynomials, `sympy.polys.fields.FracElement`."""
+if TYPE_CHECKING:
+    from flint import fmpz, fmpz_mpoly
+
+
+class Quotient(NamedTuple):
+    """Fraction of polynomials without a common factor."""
+
+    numer: fmpz_mpoly
+    denom: fmpz_mpoly
+    """Denominator, whose leading coefficient is positive."""
+
+
+def reduced(numer: fmpz_mpoly, denom: fmpz_mpoly) -> Quotient:
+    """Return the fraction of two polynomials, without their common factors."""
+    common = numer.gcd(denom) * (1 if denom.leading_coefficient() > 0 else -1)
+    return Quotient(numer // common, denom // common)
 
 
 class Notation(NamedTuple):
@@ -47,20 +61,19 @@ class _Written(NamedTuple):
         return f"({self.text})" if self.is_sum or self.is_product else self.text
 
 
-def fraction(value: Fraction, notation: Notation) -> str:
+def fraction(value: Quotient, notation: Notation) -> str:
     """Return the shortest form of a fraction of polynomials.
 
     Examples
     --------
-    >>> from sympy import ZZ
-    >>> from sympy.polys.fields import field
-    >>> _, u, v = field("u, v", ZZ)
-    >>> [fraction(one, Notation("uv")) for one in (1 - u, (1 - u) * (1 - v), u / (u - 1), u * v)]
-    ['1 - u', '(1 - u)(1 - v)', 'u/(u - 1)', 'u v']
-    >>> [fraction(one, Notation("uv")) for one in (2 - 1 / u, (u + v - 1) / u, 1 - u * v)]
-    ['2 - 1/u', '(u + v - 1)/u', '1 - u v']
-    >>> fraction((u - 1) / u * (1 - v), Notation("uv"))
-    '(1 - 1/u)(1 - v)'
+    >>> from flint import Ordering, fmpz_mpoly_ctx
+    >>> u, v = fmpz_mpoly_ctx.get(["u", "v"], Ordering.lex).gens()
+    >>> [fraction(reduced(one, u), Notation("uv")) for one in (u - u**2, u**2 * v, 2 * u - 1)]
+    ['1 - u', 'u v', '2 - 1/u']
+    >>> [fraction(reduced(one, u), Notation("uv")) for one in (u + v - 1, (u - 1) * (1 - v))]
+    ['(u + v - 1)/u', '(1 - 1/u)(1 - v)']
+    >>> fraction(reduced(u, u - 1), Notation("uv"))
+    'u/(u - 1)'
     """
     if len(factored(value.numer).factors) > 1:
         return _in_factors(value, notation).text  # products stay in factored form
@@ -73,24 +86,24 @@ def fraction(value: Fraction, notation: Notation) -> str:
     return min(zip(measured, texts, strict=True), key=lambda pair: len(pair[0]))[1]
 
 
-def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
+def weighted(values: Sequence[Quotient], unknowns: Sequence[str], notation: Notation) -> str:
     """Return a sum of unknowns times fractions of polynomials, over a common denominator.
 
     Examples
     --------
-    >>> from sympy import ZZ
-    >>> from sympy.polys.fields import field
-    >>> _, u = field("u", ZZ)
-    >>> weighted([1 / (1 - u), -u / (1 - u)], ["w_sun", "w_ring"], Notation("u"))
+    >>> from flint import Ordering, fmpz_mpoly_ctx
+    >>> [u] = fmpz_mpoly_ctx.get(["u"], Ordering.lex).gens()
+    >>> shares = [reduced(u**0, 1 - u), reduced(-u, 1 - u)]
+    >>> weighted(shares, ["w_sun", "w_ring"], Notation("u"))
     '(w_sun - u w_ring)/(1 - u)'
     """
     divisor = values[0].denom
     for value in values[1:]:
-        divisor = divisor.lcm(value.denom)
+        divisor *= value.denom // divisor.gcd(value.denom)
     below = factored(divisor)
     terms = []
     for value, unknown in zip(values, unknowns, strict=True):
-        whole = (value * divisor).numer * (1 if below.number > 0 else -1)
+        whole = value.numer * (divisor // value.denom) * (1 if below.number > 0 else -1)
         sign, text = _signed(whole, notation)
         term = unknown if text.text == "1" else f"{text.factor}{notation.times}{unknown}"
         terms.append((sign, term))
@@ -104,7 +117,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
     return f"({written})/{over.divisor}" if len(values) > 1 else f"{written}/{over.divisor}"
 
 
-def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
+def _signed(polynomial: fmpz_mpoly, notation: Notation) -> tuple[str, _Written]:
     """Return the sign and the factors of a polynomial as text. A factor can absorb a minus sign."""
     product = factored(polynomial)
     if product.number < 0:
@@ -113,7 +126,7 @@ def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
     return ("-" if product.number < 0 else "+"), text
 
 
-def _in_factors(value: Fraction, notation: Notation) -> _Written:
+def _in_factors(value: Quotient, notation: Notation) -> _Written:
     """Return a fraction with factored numerator and denominator.
 
     A factor ``u - 1`` with the divisor u is written as ``1 - 1/u``.
@@ -131,7 +144,7 @@ def _quotient(
     above: Factored,
     below: Factored,
     notation: Notation,
-    inverse: Sequence[tuple[Polynomial, int]] = (),
+    inverse: Sequence[tuple[fmpz_mpoly, int]] = (),
 ) -> _Written:
     top = _product(above._replace(number=abs(above.number)), notation, inverse)
     over = _product(below._replace(number=abs(below.number)), notation)
@@ -179,25 +192,26 @@ def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
     return above, below
 
 
-def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
+def _by_terms(value: Quotient, notation: Notation) -> _Written | None:
     """Return a fraction as a sum of terms, if the denominator is a single term."""
     if len(value.denom) > 1 or len(value.numer) < 2:
         return None
-    field = value.parent()
+    ring = value.numer.context()
     text = ""
-    for term in _ordered(value.numer):
-        quotient = _in_factors(field(term) / field(value.denom), notation).text
+    for powers, factor in _ordered(value.numer):
+        term = ring.from_dict({powers: factor})
+        quotient = _in_factors(reduced(term, value.denom), notation).text
         minus = quotient.startswith("-")
         text += f" {'-' if minus else '+'} {quotient.lstrip('-')}" if text else quotient
     return _Written(text, is_sum=True)
 
 
-def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
+def _one_and_rest(value: Quotient, notation: Notation) -> _Written | None:
     """Return a fraction as 1 plus or minus a factored remainder; None for simple fractions."""
-    remainder = value - 1
-    if not remainder or len(remainder.numer) == len(value.numer) == 1:
+    remainder = value.numer - value.denom
+    if not remainder or len(remainder) == len(value.numer) == 1:
         return None
-    above, below = factored(remainder.numer), factored(remainder.denom)
+    above, below = factored(remainder), factored(value.denom)
     sign = "-" if above.number * below.number < 0 else "+"
     return _Written(f"1 {sign} {_quotient(above, below, notation).factor}", is_sum=True)
 
@@ -205,15 +219,13 @@ def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
 _FORMS = (_in_factors, _by_terms, _one_and_rest)
 
 
-def _ordered(polynomial: Polynomial) -> list[Polynomial]:
+def _ordered(polynomial: fmpz_mpoly) -> list[tuple[tuple[int, ...], fmpz]]:
     """Return the terms of a polynomial: positive before negative, then short before long."""
-    terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
-    ring = polynomial.ring
-    return [ring({powers: factor}) for powers, factor in terms]
+    return sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
 
 
 def _product(
-    product: Factored, notation: Notation, inverse: Sequence[tuple[Polynomial, int]] = ()
+    product: Factored, notation: Notation, inverse: Sequence[tuple[fmpz_mpoly, int]] = ()
 ) -> _Written:
     """Return a product as text: single symbols before sums, in the order of the symbols.
 
@@ -240,16 +252,14 @@ def _product(
     return _Written(text, is_product=len(factors) + (product.number != 1) > 1)
 
 
-def _position(polynomial: Polynomial) -> tuple[int, ...]:
+def _position(polynomial: fmpz_mpoly) -> tuple[int, ...]:
     """Return the sort key of a factor: the indices of its symbols."""
-    occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
-    return tuple(sorted(occurring))
+    return tuple(place for place, power in enumerate(polynomial.degrees()) if power)
 
 
-def _sum(polynomial: Polynomial, notation: Notation) -> str:
+def _sum(polynomial: fmpz_mpoly, notation: Notation) -> str:
     text = ""
-    for term in _ordered(polynomial):
-        [(powers, factor)] = term.terms()
+    for powers, factor in _ordered(polynomial):
         symbols = [
             symbol if power == 1 else f"{symbol}{notation.power}{power}"
             for symbol, power in zip(notation.symbols, powers, strict=True)
@@ -263,10 +273,7 @@ def _sum(polynomial: Polynomial, notation: Notation) -> str:
     return text
 
 
-Polynomial = Any
-"""Polynomial with integer coefficients, `sympy.polys.rings.PolyElement`."""
-
-Powers = list[tuple[Polynomial, int]]
+Powers = list[tuple["fmpz_mpoly", int]]
 """Factors of a polynomial, with exponents."""
 
 
@@ -277,51 +284,31 @@ class Factored(NamedTuple):
     factors: Powers
 
 
-def factored(polynomial: Polynomial) -> Factored:
+def factored(polynomial: fmpz_mpoly) -> Factored:
     """Return the factors of a polynomial, each with its most readable sign."""
-    number, primitive = polynomial.primitive()
+    number, irreducible = polynomial.factor()
     factors = []
-    for factor, power in _factors(primitive):
-        if factor.is_ground:
-            number *= factor.LC**power
-            continue
+    alone = [place for place, power in enumerate(polynomial.degrees()) if power == 1]
+    # Factors that alone contain a symbol come first, because the first factor absorbs a minus sign.
+    for factor, power in sorted(
+        irreducible,
+        key=lambda item: ([-item[0].degrees()[n] for n in alone], item[0].monoms()),
+    ):
         turned = _looks(-factor) > _looks(factor)
         factors.append((-factor if turned else factor, power))
         number = -number if turned and power % 2 else number
     return Factored(int(number), factors)
 
 
-def _factors(polynomial: Polynomial) -> Powers:
-    """Return the factors of a polynomial, whose coefficients must have no common factor.
-
-    If a symbol u occurs only in the first power, the polynomial is ``a + b u``. The greatest common
-    divisor of a and b is then a factor, and the quotient is irreducible. SymPy's factorisation is
-    not used, because it is slow for many symbols.
-    """
-    if polynomial.is_ground:
-        return [(polynomial, 1)]
-    powers = [max(exponents) for exponents in zip(*polynomial.monoms(), strict=True)]
-    if 1 not in powers:
-        constant, factors = polynomial.factor_list()
-        return [(polynomial.ring(constant), 1), *factors]
-    place = powers.index(1)
-    ring = polynomial.ring
-    symbol = ring.gens[place]
-    with_it = ring(
-        {exponents: factor for exponents, factor in polynomial.terms() if exponents[place]}
-    )
-    common = with_it.quo(symbol).gcd(polynomial - with_it)
-    return [(polynomial.quo(common), 1), *_factors(common)]
-
-
-def balance(polynomial: Polynomial) -> int:
+def balance(polynomial: fmpz_mpoly) -> int:
     """Return the number of positive terms minus the number of negative terms."""
-    return sum(1 if factor > 0 else -1 for _, factor in polynomial.terms())
+    return sum(1 if factor > 0 else -1 for factor in polynomial.coeffs())
 
 
-def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
+def _looks(polynomial: fmpz_mpoly) -> tuple[int, bool, bool]:
     """Return a sort key that is larger for the more readable of ``p`` and ``-p``.
 
     The key contains `balance`, then flags for a positive constant term and a positive leading term.
     """
-    return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0
+    constant = polynomial[(0,) * len(polynomial.degrees())]
+    return balance(polynomial), constant > 0, polynomial.leading_coefficient() > 0

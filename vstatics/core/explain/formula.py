@@ -1,21 +1,25 @@
-"""Ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy."""
+"""Ratio of a gear as a formula in the ratios of its mechanisms; needs FLINT."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.core.elements.drawing import parts_of
 from vstatics.core.explain import factored
 from vstatics.core.explain.bodies import OwnLinks, Structure
+from vstatics.core.explain.factored import Quotient
 from vstatics.core.explain.names import Names
 from vstatics.core.explain.shares import NoFormula, shares
 from vstatics.core.extras import missing
 from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.core.tables.answer import Flat, json_keys
+
+if TYPE_CHECKING:
+    from flint import fmpz_mpoly
 
 FOLLOWS = (
     "there is no formula, because the speed of link {link} is given as a multiple "
@@ -140,7 +144,7 @@ def formula(
     Raises
     ------
     NoFormula
-        If SymPy is not installed, the output speed is indeterminate or 0, or the formula would be
+        If FLINT is not installed, the output speed is indeterminate or 0, or the formula would be
         too long.
     """
     reason = missing("formula", "the formula")
@@ -167,11 +171,14 @@ def formula(
         raise NoFormula("the output is at rest, so it has no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
-        return _of_ratio(1 / next(iter(parts.values())), symbols, on_links.variators)
+        share = next(iter(parts.values()))
+        return _of_ratio(factored.reduced(share.denom, share.numer), symbols, on_links.variators)
     return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
 
 
-def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str]) -> RatioFormula:
+def _of_ratio(
+    ratio: Quotient, symbols: Sequence[Symbol], variators: Collection[str]
+) -> RatioFormula:
     occurring = _occurring([ratio])
     text = factored.fraction(ratio, factored.Notation([symbol.name for symbol in symbols]))
     fixed = [place for place in occurring if symbols[place].meaning not in variators]
@@ -189,7 +196,7 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str])
 
 
 def _of_speed(
-    output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
+    output: str, shares: Sequence[Quotient], speeds: Mapping[str, float], symbols: Sequence[Symbol]
 ) -> RatioFormula:
     occurring = _occurring(shares)
     notation = factored.Notation([symbol.name for symbol in symbols])
@@ -207,39 +214,39 @@ def _of_speed(
     )
 
 
-def _occurring(values: Sequence[Any]) -> list[int]:
+def _occurring(values: Sequence[Quotient]) -> list[int]:
     """Return the indices of the symbols that occur in fractions."""
-    polynomials = [part for value in values for part in (value.numer, value.denom)]
-    terms = [powers for part in polynomials for powers in part.monoms()]
-    return sorted({place for powers in terms for place, power in enumerate(powers) if power})
+    degrees = [part.degrees() for value in values for part in value]
+    return [place for place, powers in enumerate(zip(*degrees, strict=True)) if any(powers)]
 
 
 def _shared(
-    value: Any, symbols: Sequence[Symbol], fixed: Sequence[int]
+    value: Quotient, symbols: Sequence[Symbol], fixed: Sequence[int]
 ) -> tuple[dict[str, list[str]], str]:
     """Return common symbols for equal ratios among `fixed`, and the formula with these symbols."""
     by_value = grouped((symbols[place].value, place) for place in fixed)
     groups = [places for places in by_value.values() if len(places) > 1]
     if not 0 < len(groups) <= len(SHARED):
         return {}, ""
-    names, ring = [symbol.name for symbol in symbols], value.numer.ring
-    stands_for, merged = {}, dict[Any, Any]()
+    names, merged = [symbol.name for symbol in symbols], [*value.numer.context().gens()]
+    stands_for = {}
     for letter, (first, *others) in zip(SHARED, groups, strict=False):
         stands_for[letter] = [names[place] for place in (first, *others)]
         names[first] = letter
-        merged |= {ring.gens[place]: ring.gens[first] for place in others}
-    above, below = (part.compose(merged) for part in (value.numer, value.denom))
+        for place in others:
+            merged[place] = merged[first]
+    above, below = (part.compose(*merged) for part in value)
     if not below:  # the ratio does not exist for equal symbols
         return {}, ""
-    return stands_for, factored.fraction(value.field(above) / below, factored.Notation(names))
+    return stands_for, factored.fraction(factored.reduced(above, below), factored.Notation(names))
 
 
-def _value(value: Any, symbols: Sequence[Symbol]) -> float:
-    def at(polynomial: Any) -> Fraction:
+def _value(value: Quotient, symbols: Sequence[Symbol]) -> float:
+    def at(polynomial: fmpz_mpoly) -> Fraction:
         total = Fraction(0)
         for powers, factor in polynomial.terms():
             ratios = (
-                Fraction(symbols[place].value) ** power
+                Fraction(symbols[place].value) ** int(power)
                 for place, power in enumerate(powers)
                 if power
             )

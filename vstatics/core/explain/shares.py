@@ -10,22 +10,27 @@ import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from functools import reduce
+from typing import TYPE_CHECKING
 
 from vstatics.core.explain.bodies import OwnLinks, Structure
+from vstatics.core.explain.factored import Quotient, reduced
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import HOUSING
 from vstatics.core.numerics.tolerances import ROUNDED_COEFFICIENT
 from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
+if TYPE_CHECKING:
+    from flint import fmpz_mpoly, fmpz_mpoly_ctx
+
 MOST_FORMULA_TERMS = 400
-"""Largest number of terms of a formula. Longer formulas are useless and slow to derive."""
+"""Largest number of terms of an equation. Longer formulas are useless and slow to derive."""
 
 Body = int
 """Body of links, identified by the smallest link number."""
-Row = dict[Body, Any]
-"""Coefficients of an equation by body, as fractions of polynomials."""
+Row = dict[Body, "fmpz_mpoly"]
+"""Coefficients of an equation by body."""
 
 
 class NoFormula(Exception):  # noqa: N818 - not an error of the case
@@ -37,20 +42,16 @@ def shares(
     structure: Structure,
     given: Mapping[Body, str],
     output: Body,
-) -> Row:
+) -> dict[Body, Quotient]:
     """Return the coefficient of each prescribed speed in the formula of the output speed."""
-    from sympy import ZZ
-    from sympy.polys.fields import field
+    from flint import Ordering, fmpz_mpoly_ctx
 
-    fractions, *ratios = field(
-        [f"u{n}" for n in range(1, len(on_links.case.mechanisms) + 1)] or ["u1"], ZZ
-    )
+    names = [f"u{n}" for n in range(1, len(on_links.case.mechanisms) + 1)] or ["u1"]
+    ring = fmpz_mpoly_ctx.get(names, Ordering.lex)
     if output in given:
-        return {output: fractions.one}
-    rows = [_row(on_links, n, structure.body, ratios, fractions) for n in structure.needed]
-    rows += [
-        _of_spring(on_links.case.springs[n], structure.body, fractions) for n in structure.springs
-    ]
+        return {output: Quotient(ring.constant(1), ring.constant(1))}
+    rows = [_row(on_links, n, structure.body, ring) for n in structure.needed]
+    rows += [_of_spring(on_links.case.springs[n], structure.body, ring) for n in structure.springs]
     rows = [row for row in rows if row]
     while unknown := {body for row in rows for body in row} - {output, *given}:
         counts = Counter(body for row in rows for body in row)
@@ -64,32 +65,30 @@ def shares(
     if last is None:
         raise NoFormula(f"{NEUTRAL.english}: the output speed is not determined")
     factor = last.pop(output)
-    return {body: -last[body] / factor for body in given if body in last}
+    return {body: reduced(-last[body], factor) for body in given if body in last}
 
 
-def _row(
-    on_links: OwnLinks, number: int, body: Sequence[Body], ratios: Sequence[Any], fractions: Any
-) -> Row:
+def _row(on_links: OwnLinks, number: int, body: Sequence[Body], ring: fmpz_mpoly_ctx) -> Row:
     """Return the speed equation of a mechanism in terms of bodies."""
     mechanism = on_links.case.mechanisms[number]
-    ratio = ratios[number]
-    if on_links.is_fixed(number):
-        ratio = fractions(int(mechanism.ratio))
+    is_fixed = on_links.is_fixed(number)
+    ratio = ring.constant(int(mechanism.ratio)) if is_fixed else ring.gen(number)
     row: Row = {}
     for link, factor in zip(mechanism.links, column(ratio), strict=True):
         if body[link] != HOUSING:
-            row[body[link]] = row.get(body[link], fractions.zero) + fractions.one * factor
+            row[body[link]] = row.get(body[link], ring.constant(0)) + factor
     return {joined: factor for joined, factor in row.items() if factor}
 
 
-def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
-    """Return the speed equation of a spring with constant twist. Coefficients are fractions."""
+def _of_spring(spring: Spring, body: Sequence[Body], ring: fmpz_mpoly_ctx) -> Row:
+    """Return the speed equation of a spring with constant twist. Coefficients are integers."""
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
         sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)
     least = ROUNDED_COEFFICIENT * max(map(abs, spring.form.values()))
+    divisor = math.lcm(*(total.denominator for total in sums.values()))
     return {
-        joined: fractions(total.numerator) / total.denominator
+        joined: ring.constant(int(total * divisor))
         for joined, total in sums.items()
         if joined != HOUSING and abs(total) > least
     }
@@ -113,10 +112,14 @@ def _without(row: Row, body: Body, pivot: Row) -> Row:
     """Return an equation from which a body is eliminated."""
     if body not in row:
         return row
-    share = row[body] / pivot[body]
-    reduced = {other: row.get(other, 0) - share * pivot.get(other, 0) for other in {**row, **pivot}}
-    return {other: factor for other, factor in reduced.items() if factor and other != body}
+    left = {
+        other: pivot[body] * row.get(other, 0) - row[body] * pivot.get(other, 0)
+        for other in {**row, **pivot}
+    }
+    left = {other: factor for other, factor in left.items() if factor}
+    common = reduce(lambda one, other: one.gcd(other), left.values(), 0 * pivot[body])
+    return {other: factor // common for other, factor in left.items()}
 
 
 def _size(row: Row) -> int:
-    return sum(len(factor.numer) + len(factor.denom) for factor in row.values())
+    return sum(map(len, row.values()))

@@ -9,6 +9,7 @@ from vstatics.core.summary.contrast import letters
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.schemes.coaxial.drawn.lines import wires_of
 from vstatics.pictures.schemes.coaxial.fitting import laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, draw_half_section, painted
@@ -40,7 +41,9 @@ class BareStick(NamedTuple):
     def draw(self, within: Pen) -> None:
         """Draw the diagram in the rectangle of a pen."""
         pen, scheme = within.fitted(*extent(self.layout)), self.layout.coaxial.scheme
-        draw_half_section(SchemeInk(pen, scheme, SchemeState(), Titles()), self.layout)
+        draw_half_section(
+            SchemeInk(pen, scheme, SchemeState(), Titles()), self.layout, wires_of(self.layout)
+        )
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:

@@ -17,7 +17,7 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
 from vstatics.pictures.schemes.axes.wires import crossings, link_lines, wheel_crossings
 from vstatics.pictures.schemes.captions import told_of
-from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
+from vstatics.pictures.schemes.coaxial.drawn.lines import wires_of
 from vstatics.pictures.schemes.coaxial.picture import crossings_told, order_told
 from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import Scheme
@@ -67,6 +67,6 @@ def _remarks(placing: AxesPlaces, style: Style) -> list[str]:
     layouts = [station.layout for station in placing.board.stations if station.layout is not None]
     lines = link_lines(placing)
     count = len(crossings(lines)) + wheel_crossings(placing, lines)
-    count += sum(map(crossings_of, layouts))
+    count += sum(len(wires_of(layout).crossings) for layout in layouts)
     orders = [text for layout in layouts for text in order_told(layout, style)]
     return [*crossings_told(count, style), *dict.fromkeys(orders)]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from vstatics.core.statics.results import Results
@@ -18,12 +18,12 @@ from vstatics.pictures.schemes.captions import told_of
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state, unchained
 from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
 from vstatics.pictures.schemes.coaxial.drawn.devices import draw_devices
-from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
+from vstatics.pictures.schemes.coaxial.drawn.lines import Wires, wires_of
 from vstatics.pictures.schemes.coaxial.drawn.links import draw_link_names, draw_links
-from vstatics.pictures.schemes.coaxial.drawn.ports import draw_ports
+from vstatics.pictures.schemes.coaxial.drawn.ports import draw_end
 from vstatics.pictures.schemes.coaxial.fitting import fits, laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.rooms import axis_ends, extent
+from vstatics.pictures.schemes.coaxial.rooms import extent
 from vstatics.pictures.schemes.coaxial.section import NO_TEXTS, coaxial_scheme
 from vstatics.pictures.schemes.ink import ARROW, AXIS_DASHES, FURTHER, SchemeInk
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState
@@ -32,15 +32,21 @@ from vstatics.pictures.schemes.shift_element_symbols import meanings
 from vstatics.pictures.schemes.titles import Titles
 
 
-class CoaxialSheet(NamedTuple):
+@dataclass(frozen=True)
+class CoaxialSheet:
     """Half-section, with separate rows for chains before and after the gearbox."""
 
     layout: CoaxialLayout
     chains: Sequence[CoaxialChain] = ()
 
+    @cached_property
+    def wires(self) -> Wires:
+        """Lines of links."""
+        return wires_of(self.layout)
+
     def remarks(self, style: Style) -> list[str]:
         """Return remarks for the title, such as crossings or a different order of gear sets."""
-        remarks = crossings_told(crossings_of(self.layout), style)
+        remarks = crossings_told(len(self.wires.crossings), style)
         if not self.layout.coaxial.train.end:
             remarks.append(style.text("output through the housing"))
         return remarks + order_told(self.layout, style)
@@ -138,19 +144,21 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
     return high[0] - low[0]
 
 
-def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw a half-section with the axis, links and components."""
+def draw_half_section(ink: SchemeInk, layout: CoaxialLayout, wires: Wires) -> None:
+    """Draw a half-section with the axis, links, components and ports."""
     if not layout.coaxial.has_boxes:
         look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
-        ends = [(x + way * ARROW, y) for _, (x, y), way in axis_ends(layout)]
+        ends = [(x + way * ARROW, y) for _, (x, y), way in wires.ends]
         ink.pen.line(*ends, color=ink.pen.style.faint, width=0.8, **look)
-    draw_parts(ink, layout)
-    draw_ports(ink, layout)
+    draw_parts(ink, layout, wires)
+    for link, at, way in wires.ends:
+        if link:
+            draw_end(ink, link, at, way)
 
 
-def draw_parts(ink: SchemeInk, layout: CoaxialLayout) -> None:
+def draw_parts(ink: SchemeInk, layout: CoaxialLayout, wires: Wires) -> None:
     """Draw links and components, without the lines along the axis."""
-    draw_links(ink, layout)
+    draw_links(ink, layout, wires)
     draw_link_names(ink, layout)
     draw_devices(ink, layout)
 
@@ -184,7 +192,7 @@ def painted(  # noqa: PLR0913, PLR0917 - arguments of a picture
             pen._replace(letters=1 / pen.part), sheet.layout.coaxial.scheme, state_of_rows, titles
         )
         if row.chain is None:
-            draw_half_section(ink, sheet.layout)
+            draw_half_section(ink, sheet.layout, sheet.wires)
         else:
             scheme = replace(ink.scheme, ports=row.chain.ports)
             draw_chain(replace(ink, scheme=scheme), row.chain, sheet.layout.coaxial.texts)

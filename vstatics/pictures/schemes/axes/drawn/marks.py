@@ -13,6 +13,7 @@ from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE_HEIGHT
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note, note_half
 from vstatics.pictures.schemes.axes.wires import sign_height
+from vstatics.pictures.schemes.coaxial.drawn.lines import wires_of
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
 from vstatics.pictures.schemes.coaxial.rooms import ends_of
 from vstatics.pictures.schemes.gear_glyphs import ground
@@ -123,7 +124,7 @@ def _section(sheet: AxesSheet, number: int, station: Station) -> None:
     idle = {port for port in scheme.ports if not _goes_on(sheet, port.link, station)}
     state = replace(sheet.state, idle_ports=idle)
     pen = sheet.pen.panel(corner, sheet.pen.size)
-    draw_parts(SchemeInk(pen, scheme, state, sheet.titles, axis=axis + 1), layout)
+    draw_parts(SchemeInk(pen, scheme, state, sheet.titles, axis=axis + 1), layout, wires_of(layout))
 
 
 def _goes_on(sheet: AxesSheet, link: int, station: Station) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
+from itertools import chain, combinations, product, starmap
 from typing import NamedTuple
 
 from vstatics.core.groups import grouped
@@ -22,17 +22,10 @@ class Wires(NamedTuple):
     lines: Mapping[int, Sequence[Segment]]
     met: Sequence[tuple[int, int, Point]]
     """Points where components meet lines, each with the link, the component and the point."""
-
-    def crossings(self) -> list[Point]:
-        """Return the points where lines of different links meet."""
-        points: list[Point] = []
-        for first_link, second_link in combinations(self.lines, 2):
-            for first in self.lines[first_link]:
-                for second in self.lines[second_link]:
-                    at = meeting(first, second)
-                    if at is not None and at not in points:
-                        points.append(at)
-        return points
+    ends: Sequence[tuple[int, Point, float]]
+    """Ends of the axis, as in `axis_ends`."""
+    crossings: Sequence[Point]
+    """Points where lines of different links meet."""
 
 
 def meeting(first: Segment, second: Segment) -> Point | None:
@@ -61,12 +54,15 @@ def wires_of(layout: CoaxialLayout) -> Wires:
     for bar, xs in ends.items():
         y = places.heights[bar]
         lines.append((bar.link, ((min(xs), y), (max(xs), y))))
-    for (link, (x, y), _), kind in zip(axis_ends(layout), ("start", "end"), strict=True):
+    axis = axis_ends(layout)
+    for (link, (x, y), _), kind in zip(axis, ("start", "end"), strict=True):
         for up, at in uprights:
             if up.kind == kind:
                 lines.append((link, ((min(x, at), y), (max(x, at), y))))
-    extended = [(link, line) for link, line in lines if line[0] != line[1]]
-    return Wires(grouped(extended), met)
+    by_link = grouped([(link, line) for link, line in lines if line[0] != line[1]])
+    pairs = chain.from_iterable(starmap(product, combinations(by_link.values(), 2)))
+    crossings = filter(None, dict.fromkeys(starmap(meeting, pairs)))
+    return Wires(by_link, met, axis, [*crossings])
 
 
 def _upright_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
@@ -137,8 +133,3 @@ def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int,
             yield bar.link, device, (at, middle + side * layout.half(up))
     elif up.kind == "top" and device >= 0:
         yield up.bars[0].link, device, (at, places.housing - BRAKE_LENGTH)
-
-
-def crossings_of(layout: CoaxialLayout) -> int:
-    """Return the number of crossings between lines of different links."""
-    return len(wires_of(layout).crossings())

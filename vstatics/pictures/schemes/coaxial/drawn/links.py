@@ -8,13 +8,12 @@ from itertools import combinations
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import Segment, height, width
 from vstatics.pictures.drawing.pen import Pen, corners
-from vstatics.pictures.schemes.coaxial.drawn.lines import meeting, wires_of
+from vstatics.pictures.schemes.coaxial.drawn.lines import Wires, meeting
 from vstatics.pictures.schemes.coaxial.drawn.passing import passed
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import (
     BRAKE_LENGTH,
     LINK_NAME_GAP,
-    axis_ends,
     loose_names,
 )
 from vstatics.pictures.schemes.ink import SchemeInk, centred
@@ -23,11 +22,10 @@ BRIDGE, BRIDGE_GAP = 5.0, 1.4
 """Half the length and half the width of a bridge over a crossed line. [pt]"""
 
 
-def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
+def draw_links(ink: SchemeInk, layout: CoaxialLayout, wires: Wires) -> None:
     """Draw the lines of all links, pale in sections without torque."""
-    wires = wires_of(layout)
     style, loaded = ink.pen.style, ink.state.loaded
-    ends = [*wires.met, *_port_points(ink, layout)]
+    ends = [*wires.met, *_port_points(ink, layout, wires)]
     for link, lines in wires.lines.items():
         pen = ink.of_link(layout.name(link))
         runs = [(line, True) for line in lines]
@@ -40,7 +38,7 @@ def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
             segments = [line for line, has_torque in runs if has_torque == there]
             pen.lines(segments, color=color, kind="wire", solid_capstyle="projecting", **look)
         _joints(pen, lines, points)
-    for x, y in wires.crossings():
+    for x, y in wires.crossings:
         gaps = [((x + way * BRIDGE, y), (x + way * BRIDGE_GAP, y)) for way in (-1, 1)]
         ink.pen.lines(gaps, color=style.paper, width=3.0, kind="crossing", zorder=3.5)
 
@@ -67,7 +65,7 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
     branches = dict.fromkeys(
         at
         for first, second in combinations(lines, 2)
-        if (at := meeting(first, second)) is not None and not (at in first and at in second)
+        if (at := meeting(first, second)) and not (at in first and at in second)
     )
     look: Look = {"width": 4.0, "zorder": 6, "solid_capstyle": "round", "snap": False}
     for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
@@ -75,10 +73,12 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
         pen.lines(dots, color=color, **look)
 
 
-def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
+def _port_points(
+    ink: SchemeInk, layout: CoaxialLayout, wires: Wires
+) -> Iterator[tuple[int, int, Point]]:
     """Yield each port of the transmission: the link, -1 for the component, and the point."""
     used = {port.link for port in layout.coaxial.scheme.ports if port not in ink.state.idle_ports}
-    for link, at_end, _ in axis_ends(layout):
+    for link, at_end, _ in wires.ends:
         if link in used:
             yield link, -1, at_end
     for up, at in zip(layout.uprights, layout.places.at, strict=True):

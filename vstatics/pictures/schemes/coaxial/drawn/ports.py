@@ -3,17 +3,9 @@
 from __future__ import annotations
 
 from vstatics.pictures.drawing.canvas import Point
-from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, axis_ends
+from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME
 from vstatics.pictures.schemes.ink import ARROW, FURTHER, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.scheme import SchemePort
-
-
-def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw the ports of the transmission at both ends of the axis."""
-    for link, at, way in axis_ends(layout):
-        if link:
-            draw_end(ink, link, at, way)
 
 
 def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
