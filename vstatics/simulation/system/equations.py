@@ -147,6 +147,11 @@ class Equations:
             ports.senses_rate[port] = structure.light_rates[rates].any()
             if not ports.senses_rate[port]:
                 self.unsensed.append((port, look))
+        self.level = [
+            turbine for pump, turbine in ports.level if not structure.light_rates[pump].any()
+        ]
+        """Ports of turbines whose torque depends only on the speed of a pump with inertia."""
+        ports.senses_rate[self.level] = False
         sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), NO_SENSE), 0.0)
         scale = sensed.max(initial=0.0) or 1.0
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
@@ -223,7 +228,7 @@ class Equations:
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
-            if self.unsensed or self.system.varying:
+            if self.unsensed or self.system.varying or self.level:
                 self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
@@ -258,7 +263,7 @@ class Equations:
     def _see_ahead(
         self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
     ) -> None:
-        """Fill in the time derivatives of feedback torques and varying losses in `slopes`."""
+        """Fill in the time derivatives of torques that depend on the motion in `slopes`."""
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
@@ -275,15 +280,17 @@ class Equations:
         for port, look in self.unsensed:
             now, middle, later = map(look.at, [time + step for step in aheads], seen)
             slopes[port] = slope_ahead(now, middle, later, ahead)
-        if self.losses:
+        losses = range(self.layout.losses, self.layout.ports) if self.losses else ()
+        places = [*self.level, *losses]
+        if places:
             still = np.zeros(self.size - len(change))
-            lost = [
+            acting = [
                 self.torques(
                     time + step, state + step * np.append(change, still), rates + step * turning
-                )[self.losses.places]
+                )[places]
                 for step in aheads
             ]
-            slopes[self.losses.places] = slope_ahead(lost[0], lost[1], lost[2], ahead)
+            slopes[places] = slope_ahead(acting[0], acting[1], acting[2], ahead)
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Return the rates of ports, and the speeds of motions without inertia [rad/s]."""
@@ -441,7 +448,7 @@ class Equations:
     @property
     def _bends_otherwise(self) -> bool:
         """True if torques are nonlinear in quantities other than the rates of their ports."""
-        by_slope = self.system.varying and self.by_slope.shape[1]
+        by_slope = (self.system.varying or self.level) and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 
     @property
