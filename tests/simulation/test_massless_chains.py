@@ -1,8 +1,11 @@
 """Chains of springs, clutches and links without inertia: energy closes, whatever slips."""
 
+from collections.abc import Callable
 from random import Random
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from tests.chance import each_seed, seeded
 from tests.simulation.control.written import simulated, written
@@ -11,6 +14,7 @@ from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.springs import between
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.scenario.laws import TorqueLaw
 from vstatics.simulation.scenario.parts import Control
@@ -178,3 +182,41 @@ def test_an_inertia_is_the_remedy_where_no_state_of_links_without_it_is_consiste
     [problem] = caught.value.problems
     assert problem.path == ("case", "inertias")
     simulated(LOOP, BARE.replace("inertias: {", "inertias: {c: 0.001, d: 0.001, "))
+
+
+CONVERTER = """
+converters:
+  TC: {links: [p, t], points: [[0, 2.2, 3e-3], [0.8, 1, 2e-3], [1, 1, 0], [1.3, 1, -3e-3]]}
+"""
+
+
+def _by_pump(torque: Callable[[float], float], ends: tuple[float, float], start: float) -> Floats:
+    """Speed and angular impulse on the turbine of a pump of 1 kg*m^2 below a speed ratio of 0."""
+
+    def rates(time: float, state: Floats) -> list[float]:
+        taken = 3e-3 * state[0] * abs(state[0])
+        return [torque(time) - taken, 2.2 * taken]
+
+    return np.asarray(solve_ivp(rates, ends, [start, 0.0], rtol=1e-12, atol=1e-12).y[:, -1])
+
+
+def test_a_turbine_without_inertia_turns_backward_with_its_shaft() -> None:
+    """Below a speed ratio of 0 the torque is 2.2 lambda w_P^2, so it sets the twist of the shaft."""
+    case = "links: [p, t, s]\ninertias: {p: 1, s: 2}\ngears: {'1': []}\n"
+    case += "springs: {d: {links: [t, s], stiffness: 500}}"
+    start = "start: {speeds: {p: 100, t: -10, s: -10}, twists: {d: 0.132}}"
+    motion = simulated(f"duration: 2\n{start}\ntorques: {{p: 60, s: -100}}{CONVERTER}", case)
+    pump, impulse = _by_pump(lambda _: 60.0, (0.0, 2.0), 100.0)
+    shaft = -10 + (impulse - 100 * 2) / 2
+    twisting = 2 * 2.2 * 3e-3 * pump * (60 - 3e-3 * pump**2) / 500
+    assert motion.speeds[-1] == pytest.approx([pump, shaft + twisting, shaft], rel=1e-7)
+
+
+def test_a_pump_that_slowly_begins_to_turn_backward_takes_the_torque_of_ratios_below_0() -> None:
+    case = "links: [p, t]\ninertias: {p: 1, t: 1}\ngears: {'1': [B]}\n"
+    case += "shift_elements: {B: [p, housing]}"
+    torque = "torques: {p: '-60 - 300*max(t - 0.3, 0)^2'}\ncontrols: {B: 60}"
+    start = "duration: 1\nstart: {speeds: {p: 0, t: 6.9}}"
+    motion = simulated(f"{start}\n{torque}{CONVERTER}", case)
+    pump, impulse = _by_pump(lambda time: -300 * (time - 0.3) ** 2, (0.3, 1.0), 0.0)
+    assert motion.speeds[-1] == pytest.approx([pump, 6.9 + impulse], rel=1e-8)

@@ -400,7 +400,9 @@ class EventRun:
                 if self.watch is not None and reached < self.until and (why := self.watch(reached)):
                     raise CaseError("E604", f"at {reached:.9g} s {why}")
                 if event.watches:
-                    return event
+                    at = event.time, event.state
+                    broken = (selected.margins.breaking(watch, *at) for watch in event.watches)
+                    return event._replace(watches=tuple(broken))
         except TooSmall:
             if behind := self._behind_corner(equations, end):
                 return behind

@@ -202,7 +202,7 @@ class ModeChoices:
 
 def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
     pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
-    if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
+    if abs(pump) <= STANDING * abs(turbine) or max(abs(pump), abs(turbine)) <= STANDING:
         # Without input speed there is no speed ratio, so the search tries all pieces.
         return len(converter.points) if last is None else last
     return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last)

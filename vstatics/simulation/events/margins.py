@@ -28,6 +28,7 @@ from vstatics.simulation.tolerances import (
     PASSED_LIMIT,
     SAME_ROOM,
     SHARED_TORQUE,
+    STANDING,
     TIGHT_SLACK,
 )
 
@@ -534,15 +535,18 @@ class Margins:
 
         For a mechanism at rest, the side is the direction in which it would move. For a converter,
         the side is the number of pieces from the present piece to the next; if the speed of the
-        pump changes its sign, this is the opposite end of the points. If any link has no inertia,
-        the next piece is a neighbour, because trials can move such links to any speed.
+        pump changes its sign, this is the opposite end of the points. Otherwise, if any link has no
+        inertia, the next piece is a neighbour, because trials can move such links to any speed.
         """
-        layout, is_heavy = self.equations.layout, not self.equations.light
-        if is_heavy and watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:
+        layout = self.equations.layout
+        if watch.kind == "piece" and layout.outside <= watch.of < layout.frictions:
             converter = self.equations.system.converters[watch.of - layout.outside]
             speeds = self.equations.speeds(time, state).tolist()
             pump, turbine = (speeds[link - 1] for link in converter.links)
-            ratio = turbine / pump if pump else math.copysign(math.inf, watch.side)
+            turns = abs(pump) > STANDING * abs(turbine)
+            if turns and self.equations.light:
+                return watch
+            ratio = turbine / pump if turns else math.copysign(math.inf, watch.side)
             piece = bisect_right([point[0] for point in converter.points], ratio)
             return watch._replace(side=piece - self.equations.states.pieces[watch.of] or watch.side)
         if watch.kind != "cone":

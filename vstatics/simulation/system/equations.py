@@ -125,6 +125,11 @@ class Equations(KnownMotion):
             ports.senses_rate[port] = structure.light_rates[rates].any()
             if not ports.senses_rate[port]:
                 self.unsensed.append((port, look))
+        self.level = [
+            turbine for pump, turbine in ports.level if not structure.light_rates[pump].any()
+        ]
+        """Ports of turbines whose torque depends only on the speed of a pump with inertia."""
+        ports.senses_rate[self.level] = False
         sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), NO_SENSE), 0.0)
         scale = sensed.max(initial=0.0) or 1.0
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
@@ -201,7 +206,7 @@ class Equations(KnownMotion):
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
-            if self.unsensed or self.system.varying:
+            if self.unsensed or self.system.varying or self.level:
                 self._see_ahead(time, state, (at, speeds), slopes)
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
@@ -236,7 +241,7 @@ class Equations(KnownMotion):
     def _see_ahead(
         self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
     ) -> None:
-        """Fill in the time derivatives of feedback torques and varying losses in `slopes`."""
+        """Fill in the time derivatives of torques that depend on the motion in `slopes`."""
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
@@ -248,9 +253,9 @@ class Equations(KnownMotion):
             return np.array([look.at(time + ahead, seen) for _, look in self.unsensed])
 
         slopes[[port for port, _ in self.unsensed]] = slope_ahead(seen_torques, sight)
-        if self.losses:
-            places, still = self.losses.places, np.zeros(self.size - len(change))
-            whole = np.append(change, still)
+        losses = range(self.layout.losses, self.layout.ports) if self.losses else ()
+        if places := [*self.level, *losses]:
+            whole = np.append(change, np.zeros(self.size - len(change)))
             slopes[places] = slope_ahead(
                 lambda ahead: self.torques(
                     time + ahead, state + ahead * whole, rates + ahead * turning
@@ -414,7 +419,7 @@ class Equations(KnownMotion):
     @property
     def _bends_otherwise(self) -> bool:
         """True if torques are nonlinear in quantities other than the rates of their ports."""
-        by_slope = self.system.varying and self.by_slope.shape[1]
+        by_slope = (self.system.varying or self.level) and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 
     @property

@@ -109,6 +109,12 @@ class Ports:
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
+        self.level = [
+            (layout.pumps + index, layout.turbines + index)
+            for index, (converter, piece) in enumerate(self.converters)
+            if piece in {0, len(converter.points)}
+        ]
+        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
