@@ -109,12 +109,6 @@ class Ports:
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
-        self.level = [
-            (layout.pumps + index, layout.turbines + index)
-            for index, (converter, piece) in enumerate(self.converters)
-            if piece in {0, len(converter.points)}
-        ]
-        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
@@ -135,6 +129,15 @@ class Ports:
         """True if a torque changes linearly with time."""
         self.is_affine = not self.bending
         """True if all torques are linear in rates, twists and angles."""
+
+    @property
+    def level(self) -> list[tuple[int, int]]:
+        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
+        return [
+            (self.layout.pumps + index, self.layout.turbines + index)
+            for index, (converter, piece) in enumerate(self.converters)
+            if piece in {0, len(converter.points)}
+        ]
 
     def _springs(self, system: MotionSystem, states: States) -> None:
         layout = self.layout

@@ -92,12 +92,13 @@ class Exciting(NamedTuple):
             harmonic.order: harmonic
             for harmonic in read_torque_table(*files.read_input(self.torque))
         }
-        for order in self.orders or ():
+        chosen = dict.fromkeys(self.orders or by_order)
+        for order in chosen:
             if order not in by_order:
                 known = ", ".join(map("{:g}".format, by_order))
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
-        return [by_order[order] for order in dict.fromkeys(self.orders or by_order)]
+        return [by_order[order] for order in chosen]
 
 
 def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
