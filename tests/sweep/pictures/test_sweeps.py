@@ -240,6 +240,9 @@ def test_a_gear_number_is_a_whole_number_all_the_way() -> None:
     assert len({round(y, 3) for _, y in line}) == 2
     two = sweep_of({"time [s]": [5, 15], "gear number": [1, 2]}, "time [s]")
     assert "1.5" not in texts(drawn(curves, two))
+    for name, shown in (("2L", "2L"), ("crawler of the low range", "2")):
+        drawn_texts = texts(drawn(curves, two._replace(gear_names={1.0: "1L", 2.0: name})))
+        assert shown in drawn_texts
 
 
 @pytest.mark.usefixtures("folder")

@@ -16,7 +16,7 @@ from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Source
 from vstatics.core.tables.csv import unguarded
 from vstatics.core.tables.names import plain_names
-from vstatics.core.tables.written_results import GEAR, WrittenSweep
+from vstatics.core.tables.written_results import GEAR, GEAR_NUMBER, WrittenSweep
 
 if TYPE_CHECKING:
     from zipfile import ZipFile
@@ -317,6 +317,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
     for name in (NUMBER, STATUS):
         if name not in columns:
             raise ValueError(f"the column `{name}` is missing, which every sweep has")
+    numbered = [columns.get(name, ()) for name in (GEAR_NUMBER, GEAR)]
     columns = _plain_headings(_without_points(columns))
     names = list(columns)
     place = names.index(STATUS)
@@ -332,6 +333,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
         numbers,
         tuple(name for name in names[:place] if name != NUMBER),
         [str(gear) for gear in columns[GEAR]] if by_gear else (),
+        {float(number): str(gear) for number, gear in zip(*numbered, strict=False)},
     )
 
 

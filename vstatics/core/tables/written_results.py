@@ -91,3 +91,5 @@ class WrittenSweep(NamedTuple):
     """Names of the varied columns."""
     gears: Sequence[str] = ()
     """Gear of each row, in a sweep with a row for each gear."""
+    gear_names: Mapping[float, str] = EMPTY
+    """Names of gears by their number, in the time steps of a driving cycle."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -102,7 +102,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
         for place in reversed(some):
             corner, size = (CURVES_SCALE_WIDTH, low), (wide, highs[place] - PANEL_GAP)
             below = x * (place == some[-1])
-            _draw(pen.panel(corner, size, scale), panels[place], names[place], below)
+            gears = sweep.gear_names if names[place] == GEAR_NUMBER else {}
+            _draw(pen.panel(corner, size, scale), panels[place], names[place], below, gears)
             low += highs[place]
         figures.append(pen.canvas)
     return figures
@@ -161,7 +162,9 @@ def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
     return labels
 
 
-def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
+def _draw(
+    pen: Pen, curves: Sequence[Curve], name: str, below: str, gears: Mapping[float, str]
+) -> None:
     """Draw a panel. `below` is the name of the horizontal axis, or empty."""
     pen = pen._replace(y=_scale(np.concatenate([curve.y for curve in curves])))
     (wide, high), style = pen.size, pen.style
@@ -169,7 +172,10 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
     up = ticks(pen.y.low, pen.y.high, max(int(high / (2 * height(""))), 2))
     up = [tick for tick in up if name != GEAR_NUMBER or tick.is_integer()]
     pen.scale("bottom", across, None if below else [], grid=True)
-    pen.scale("left", up, grid=True)
+    texts = [gears.get(tick, "") for tick in up]
+    if not gears or widest(texts) > CURVES_SCALE_WIDTH / 2:
+        texts = tick_texts(up)
+    pen.scale("left", up, texts, grid=True)
     pen.frame()
     for curve in curves:
         line = _stepped(curve) if name == GEAR_NUMBER else (curve.x, curve.y)
@@ -179,7 +185,7 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
         if isolated.any():
             places = zip(curve.x[isolated].tolist(), curve.y[isolated].tolist(), strict=True)
             pen.line(*((pen.across(x), pen.up(y)) for x, y in places), **{**curve.look, **look})
-    pen.name("left", wrapped(name, high), widest(tick_texts(up)) + 18)
+    pen.name("left", wrapped(name, high), widest(texts) + 18)
     if below:
         pen.name("bottom", below, 26)
     beside(pen, "right", _line_ends(curves))

@@ -85,7 +85,8 @@ class Exciting(NamedTuple):
         from vstatics.torsion.forced.torque_table import read_torque_table
 
         if self.torque is None:
-            if not (orders := self.orders or [firing] * bool(firing)):
+            orders = self.orders or [firing]
+            if 0 in orders:
                 raise click.UsageError("expected --orders, --torque or both")
             return [Harmonic(order) for order in dict.fromkeys(orders)]
         by_order = {

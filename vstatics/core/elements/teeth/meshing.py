@@ -27,6 +27,11 @@ class Toothed(NamedTuple):
         return f"{self.label} {self.teeth}"
 
 
+SHIFT_PER_TOOTH = math.sin(math.radians(20)) ** 2 / 2
+"""Decrease of the least profile shift without undercut per tooth, for the standard profile (DIN
+3960). [module]"""
+
+
 class Mesh(NamedTuple):
     """Two gears in mesh; in an internal mesh the first gear is the ring."""
 
@@ -44,14 +49,22 @@ class Mesh(NamedTuple):
 
 
 def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
-    """Report external gears with few teeth, undercut by the tool."""
+    """Report external gears with few teeth, undercut by the tool.
+
+    The least profile shift of 10 teeth is 1 - 10 sin(20°)^2/2 = 0.415 modules.
+
+    >>> [doubt] = undercut([Toothed("sun", 10, "sun")])
+    >>> doubt.message
+    'sun 10 is undercut unless its profile is shifted by 0.42 modules or more, expected 14 ...'
+    """
     for wheel in wheels:
         if wheel.internal:
             continue
         if wheel.teeth < UNCUT_SHIFTED:
             yield Doubt(
                 "N319",
-                f"{wheel} is undercut even with a shifted profile, "
+                f"{wheel} is undercut unless its profile is shifted by "
+                f"{1 - wheel.teeth * SHIFT_PER_TOOTH:.2f} modules or more, "
                 f"expected {UNCUT_SHIFTED} teeth or more",
                 wheel.key,
             )
