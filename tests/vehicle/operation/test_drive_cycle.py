@@ -120,6 +120,7 @@ def test_drag_without_unit_is_relative_to_the_input_torque(seed: int) -> None:
     chance = seeded(2790 + seed)
     pairs = [Mechanism(n, n + 1, 0, chance.uniform(1, 4), chance.uniform(0.8, 1)) for n in (1, 2)]
     drag = {link: chance.choice([0, chance.uniform(0, 0.2)]) for link in (1, 2, 3)}
+    drag = chance.choice([drag, {1: chance.uniform(0.9, 0.999), 2: 0, 3: 0}])
     car = CAR._replace(overrun=[(0.0, -1e5)])
     case = Transmission(3, [], pairs, [Gear(name="1")], drag=drag, inertias={1: 0.1}, vehicle=car)
     rows = [(2.0 * n, chance.uniform(1, 30), "1") for n in range(9)]

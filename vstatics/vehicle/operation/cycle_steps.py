@@ -488,6 +488,7 @@ class CycleSteps(NamedTuple):
             If a step has no torques.
         """
         steps, is_relative = self, bool(relative_drag(self.case))
+        earlier = self.entering, self.entering
         for _ in range(MOST_DRAG_ROUNDS):
             driven = steps._with_open_elements(rows).driven_by_engine(rows)
             entering, before = np.zeros(len(self.gears)), steps.entering
@@ -495,7 +496,8 @@ class CycleSteps(NamedTuple):
             changed = np.flatnonzero(np.abs(entering - before) > SAME_DRAG_TORQUE * (1 + entering))
             if not (is_relative and changed.size):
                 return driven
-            steps = self._replace(entering=entering)
+            steps = self._replace(entering=_along_secant(earlier, (before, entering)))
+            earlier = before, entering
         raise CaseError([Problem("E424", _ALL_IS_DRAG, (row,)) for row in changed.tolist()])
 
     def driven_by_engine(self, rows: Integers) -> DrivenSteps:
@@ -572,6 +574,21 @@ class CycleSteps(NamedTuple):
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)
+
+
+def _along_secant(earlier: tuple[Floats, Floats], latest: tuple[Floats, Floats]) -> Floats:
+    """Return the fixed points of functions on secants; arguments are pairs (x, function of x).
+
+    Where a secant is as steep as ``y = x`` or steeper, the latest value is returned.
+
+    >>> _along_secant((np.zeros(2), np.ones(2)), (np.ones(2), np.array([1.5, 3.0])))
+    array([2., 3.])
+    """
+    (x0, y0), (x, y) = earlier, latest
+    moved = np.where(x == x0, 1.0, x - x0)
+    slope = np.where(x == x0, 0.0, (y - y0) / moved)
+    steep = slope >= 1
+    return np.where(steep, y, (y - slope * x) / np.where(steep, 1.0, 1 - slope))
 
 
 class DrivenSteps(NamedTuple):
