@@ -110,12 +110,6 @@ class Ports:
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
-        self.level = [
-            (layout.pumps + index, layout.turbines + index)
-            for index, (converter, piece) in enumerate(self.converters)
-            if piece in {0, len(converter.points)}
-        ]
-        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
@@ -189,6 +183,16 @@ class Ports:
                     self.senses_rate[port] = spring.viscous != 0
             elif state not in ("open", "parted"):
                 self._limited(index, SIGNS[state], states, time)
+
+    @property
+    def level(self) -> list[tuple[int, int]]:
+        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
+        pumps, turbines = self.layout.pumps, self.layout.turbines
+        return [
+            (pumps + index, turbines + index)
+            for index, (converter, piece) in enumerate(self.converters)
+            if piece in {0, len(converter.points)}
+        ]
 
     def finest(self, rates: Floats) -> float:
         """Return a tenth of the smallest slip that can end, for finite differences [rad/s].
