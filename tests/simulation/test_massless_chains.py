@@ -1,5 +1,6 @@
 """Chains of springs, clutches and links without inertia: energy closes, whatever slips."""
 
+import math
 from collections.abc import Callable
 from random import Random
 
@@ -220,3 +221,23 @@ def test_a_pump_that_slowly_begins_to_turn_backward_takes_the_torque_of_ratios_b
     motion = simulated(f"{start}\n{torque}{CONVERTER}", case)
     pump, impulse = _by_pump(lambda time: -300 * (time - 0.3) ** 2, (0.3, 1.0), 0.0)
     assert motion.speeds[-1] == pytest.approx([pump, 6.9 + impulse], rel=1e-8)
+
+
+def test_a_pump_without_inertia_starts_from_rest_at_a_speed_ratio_of_0() -> None:
+    """At rest, 77.3 = 0.9557 w + 0.003 w^2; at ratios above 1.3 no speed would balance."""
+    case = "links: [p, t]\ninertias: {t: 1}\ngears: {'1': []}"
+    torque = "torques: {p: '77.3 - 0.9557*speed'}"
+    motion = simulated(
+        f"duration: 1e-6\nstart: {{speeds: {{p: 0, t: 0}}}}\n{torque}{CONVERTER}", case
+    )
+    pump = (-0.9557 + math.sqrt(0.9557**2 + 4 * 0.003 * 77.3)) / (2 * 0.003)
+    assert motion.speeds[0] == pytest.approx([pump, 0], rel=1e-9)
+
+
+def test_a_law_and_a_damper_of_equal_slopes_determine_the_speed_of_a_link() -> None:
+    """30 - p = p - t on the link without inertia, so t' = (30 - t)/2."""
+    case = "links: [p, t]\ninertias: {t: 1}\nsprings: {d: {links: [p, t], damping: 1}}"
+    torque = "torques: {p: {over: speed, points: [[-100, 130], [100, -70]]}}"
+    motion = simulated(f"duration: 1\nstart: {{speeds: {{p: 0, t: 0}}}}\n{torque}", case)
+    reached = 30 * (1 - math.exp(-0.5))
+    assert motion.speeds[-1] == pytest.approx([15 + reached / 2, reached], rel=1e-9)

@@ -202,10 +202,13 @@ class ModeChoices:
 
 def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
     pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
+    ratios = [ratio for ratio, _, _ in converter.points]
     if abs(pump) <= STANDING * abs(turbine) or max(abs(pump), abs(turbine)) <= STANDING:
         # Without input speed there is no speed ratio, so the search tries all pieces.
-        return len(converter.points) if last is None else last
-    return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last)
+        # If the turbine is at rest as well, the speed ratio begins at 0.
+        first = math.inf if abs(turbine) > STANDING else 0.0
+        return bisect_right(ratios, first) if last is None else last
+    return _piece_at(turbine / pump, ratios, last)
 
 
 def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:

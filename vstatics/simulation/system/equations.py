@@ -133,6 +133,7 @@ class Equations(KnownMotion):
         sensed = np.where(ports.senses_rate, np.maximum(np.abs(ports.by_rate), NO_SENSE), 0.0)
         scale = sensed.max(initial=0.0) or 1.0
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
+        sensed[: self.layout.outside] *= -1  # external torques act on links, others are taken
         by_speed = structure.balances @ (sensed[:, None] * structure.light_rates)
         self.by_slope = null(by_speed.T)
         """Combinations of balances that do not depend on speeds, as columns."""

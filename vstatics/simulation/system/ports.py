@@ -130,15 +130,6 @@ class Ports:
         self.is_affine = not self.bending
         """True if all torques are linear in rates, twists and angles."""
 
-    @property
-    def level(self) -> list[tuple[int, int]]:
-        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
-        return [
-            (self.layout.pumps + index, self.layout.turbines + index)
-            for index, (converter, piece) in enumerate(self.converters)
-            if piece in {0, len(converter.points)}
-        ]
-
     def _springs(self, system: MotionSystem, states: States) -> None:
         layout = self.layout
         self.stiffness = system.stiffness
@@ -191,6 +182,16 @@ class Ports:
                     self.senses_rate[port] = spring.viscous != 0
             elif state not in ("open", "parted"):
                 self._limited(index, SIGNS[state], states, time)
+
+    @property
+    def level(self) -> list[tuple[int, int]]:
+        """Ports of pump and turbine of converters whose torques do not depend on the turbine."""
+        pumps, turbines = self.layout.pumps, self.layout.turbines
+        return [
+            (pumps + index, turbines + index)
+            for index, (converter, piece) in enumerate(self.converters)
+            if piece in {0, len(converter.points)}
+        ]
 
     def finest(self, rates: Floats) -> float:
         """Return a tenth of the smallest slip that can end, for finite differences [rad/s].
