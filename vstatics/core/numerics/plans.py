@@ -18,6 +18,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -81,6 +82,10 @@ class Plans:
         self.special = 0
         """Number of variants for which no plan could be recorded, or not with the right result."""
         self.few = FEW_VARIANTS
+        self.of_single: Sequence[Plan] = ()
+        """Plans of fixed sign for individual variants, repeated without arrays."""
+        self.wait = self.waiting = FEW_VARIANTS
+        """Number of individual variants between recordings of such plans, and until the next."""
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, and write each result to a row of `rows`."""
@@ -198,7 +203,24 @@ class Plans:
         self.alone += chosen.size
         for variant in chosen.tolist():
             numbers = inputs.values[:, variant].tolist()
-            rows.put_variant(variant, self._in_decimals(numbers) or self.function(numbers))
+            rows.put_variant(variant, self._in_decimals(numbers) or self._of_single(numbers))
+
+    def _of_single(self, numbers: Sequence[float]) -> Sequence[Any]:
+        """Return the results of a variant; a plan is recorded when the time spent could pay it."""
+        for plan in self.of_single:
+            if results := plan.run_one(numbers):
+                return results
+        self.waiting -= 1
+        if self.waiting < 0 and len(self.of_single) < MOST_PLANS:
+            self.wait += FEW_VARIANTS
+            self.waiting = self.wait
+            with contextlib.suppress(Untraceable):
+                single = prepared(np.array(numbers)[:, np.newaxis])
+                plan = plan_of_one_sign(self.function, single, 0, WIDENING[-1])
+                if results := plan.run_one(numbers):
+                    self.of_single = (plan, *self.of_single)
+                    return results
+        return self.function(numbers)
 
     def _in_decimals(self, numbers: Sequence[float]) -> list[float] | None:
         """Return the results of a variant that only the rounding of floats excludes, else None."""

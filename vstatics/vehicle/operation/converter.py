@@ -22,6 +22,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.points.converters import lossless_ratios
 from vstatics.core.statics.points.roots import EDGE_STEPS, Edges
 from vstatics.core.statics.result_arrays import first_rows, row_names
@@ -146,7 +147,8 @@ class EngineSearch(NamedTuple):
     surplus: Floats
     """Sign of the torque surplus at the largest and the smallest speed ratio, shape (rows, 2).
 
-    The largest ratio here is the largest at which the converter has torques.
+    The largest ratio here is the largest at which the converter has torques. In rows with a
+    solution, the second sign is NaN or arbitrary.
     """
     ends: Floats
     """Engine speeds at the largest and the smallest speed ratio, shape (rows, 2). [rad/s]"""
@@ -289,7 +291,8 @@ class ConverterGear(NamedTuple):
         Parameters are as in `torques`. Where the converter drives, the freewheel overruns at every
         speed ratio below 1.
         """
-        if not case.freewheels or not len(load[0]):
+        holding = with_engaged(case.gears[0], case.freewheels)
+        if not case.bypassed(holding) or not len(load[0]):
             return np.zeros(len(load[0]), np.bool_)
         below = np.full(len(load[0]), min(self.free_ratio, 1.0) * BELOW_LOCK)
         vary = {"load.speed": load[0], "load.torque": load[1], self.path: below}
@@ -376,15 +379,18 @@ class ConverterGear(NamedTuple):
     ) -> EngineSearch:
         """Search for engine speeds in some rows; rows whose `places` are all NaN give NaN."""
         known = np.isfinite(places)
-        at, columns = np.nonzero(known)
 
         def surplus(at: Integers, inverse: Floats) -> Floats:
             engine = 1 / inverse
             taken, direction = self.taken(engine, output[at])
             return direction * (carried(rows[at], engine)[:, self.row] - taken) * inverse**2
 
-        values = np.full(places.shape, np.nan)
-        values[at, columns] = surplus(at, places[at, columns])
+        values, sought = np.full(places.shape, np.nan), known.copy()
+        for start in range(0, places.shape[1], INTERVALS):
+            at, columns = np.nonzero(sought[:, start : start + INTERVALS])
+            values[at, columns + start] = surplus(at, places[at, columns + start])
+            # Places beyond the first sign change of a row do not affect its root.
+            sought[_changes(values).any(axis=1)] = False
         signs = np.sign(values)
         inverse = _first_roots(places, values, surplus)
         lacking = np.flatnonzero(np.isnan(inverse))
@@ -519,10 +525,16 @@ def _with_searched(points: Floats, free: float) -> Floats:
     return _interpolated(points, ratios)
 
 
+def _changes(values: Floats) -> Booleans:
+    """Return flags of sign changes between neighbouring columns."""
+    signs = np.sign(values)
+    changes: Booleans = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
+    return changes
+
+
 def _first_roots(places: Floats, values: Floats, surplus: Surplus) -> Floats:
     """Return the root at the first sign change in each row of places, NaN without a change."""
-    signs = np.sign(values)
-    changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
+    changes = _changes(values)
     first = changes.argmax(axis=1)
     solved = np.flatnonzero(changes.any(axis=1))
     inverse = np.full(len(places), np.nan)

@@ -49,6 +49,19 @@ class ConverterSteps(NamedTuple):
     def _output(self) -> Floats:
         return np.abs(self.load[0])
 
+    def _at(self, chosen: Integers) -> ConverterSteps:
+        """Return some of the steps, by their indices here."""
+        further = [
+            {path: numbers[chosen] for path, numbers in of_case.items()} for of_case in self.further
+        ]
+        speeds, torques = self.load
+        return self._replace(
+            further=further,
+            load=(speeds[chosen], torques[chosen]),
+            rows=self.rows[chosen],
+            are_slowing=self.are_slowing[chosen],
+        )
+
     def _torques(
         self, place: int, rows: Integers, load: tuple[Floats, Floats], engine: Floats
     ) -> Floats:
@@ -89,9 +102,10 @@ class ConverterSteps(NamedTuple):
             If no speed ratio fits a step.
         """
         speeds, torques = self.load
-        return self._settled(self._search_of_wheels(torques), speeds * torques >= 0)
+        return self._settled(self.search_of_wheels(torques), speeds * torques >= 0)
 
-    def _search_of_wheels(self, torques: Floats) -> EngineSearch:
+    def search_of_wheels(self, torques: Floats) -> EngineSearch:
+        """Search for engine speeds at which the pump takes what the wheels need [N*m]."""
         speeds, _ = self.load
         return self._search(
             lambda rows, engine: self._torques(1, rows, (speeds[rows], torques[rows]), engine)
@@ -125,9 +139,8 @@ class ConverterSteps(NamedTuple):
         ratios = self.converter.ratio(engine, self._output[rows])
         vary = {"load.speed": engine, "load.torque": torques, self.converter.path: ratios}
         driven = solve(self.cases[0], vary=vary | self._further(0, rows, engine))
-        least = self.load[1].copy()
-        least[rows] = -driven.lossy_output_torque_Nm[:, 0]
-        speeds = self._search_of_wheels(least).engine[rows]
+        least = -driven.lossy_output_torque_Nm[:, 0]
+        speeds = self._at(rows).search_of_wheels(least).engine
         solved = np.isfinite(speeds)
         return rows[solved], speeds[solved]
 

@@ -24,6 +24,8 @@ from vstatics.core.readers.named.law_formulas import DragFormula
 RPM = 30 / math.pi
 LOAD = Load(1000, 100)
 
+MAP_OF_PAIR = "[speed, torque], columns: [0, 100], rows: [[0, 0.1, 0.1], [100, 0.5, 0.9]]"
+
 
 def pair(load: Load | None = LOAD, efficiency: Any = 1.0, **own: Any) -> Transmission:
     mechanism = Mechanism(1, 2, 0, -2.5, efficiency, name="pair")
@@ -270,3 +272,20 @@ def test_an_efficiency_of_a_gear_set_depends_on_its_first_member() -> None:
         solve(loads(OVER_TORQUE.replace("speed: 1200 rpm, ", "")))
     path, _ = [problem.path for problem in caught.value.problems if problem.id == "E267"]
     assert path == ("mechanisms", 1, "efficiency")
+
+
+@pytest.mark.parametrize("left", [70.0, 50.0, 10.0, 1e-3, 1e-8, -1e-3, -10.0])
+@pytest.mark.parametrize("law", ["torque, points: [[0, 0.5], [100, 0.9]]", MAP_OF_PAIR])
+def test_a_freewheel_can_open_at_trial_efficiencies(law: str, left: float) -> None:
+    """At 80 N*m the pair has 0.82, and 2 * 80 * 0.82 N*m less the drag is left for the output."""
+    case = loads(f"""
+    links: [input, mid, output]
+    load: {{speed: 1000 rpm, torque: 80 N*m}}
+    shift_elements: {{F: {{kind: freewheel, links: [output, mid]}}}}
+    mechanisms: {{pair: {{first: input, second: mid, ratio: 2, efficiency: {{over: {law}}}}}}}
+    drag: {{mid: {2 * 80 * 0.82 - left!r} N*m}}
+    gears: {{"1": []}}
+    """)
+    expected = left if left > 0 else math.nan
+    [torque] = solve(case).lossy_output_torque_Nm
+    assert torque == pytest.approx(expected, rel=1e-9, abs=1e-12, nan_ok=True)

@@ -12,9 +12,10 @@ accepted only if it is unique.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from copy import copy
 from functools import partial
+from itertools import chain, combinations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,6 +34,7 @@ from vstatics.core.numerics.fixed_points import (
     find_fixed_points,
 )
 from vstatics.core.numerics.tolerances import STANDS_STILL, TIE
+from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
@@ -102,6 +104,15 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
         unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
         results = with_efficiencies
         sizes |= search.sizes(results)
+        for held in _subsets(plain.freewheels):
+            if not (lacks := np.isnan(results.lossy_output_torque) | (unsettled == NONE)).any():
+                break
+            columns, sizes, holds = _with_held(
+                case, plain, (known, sought), given, (columns, sizes), lacks, held
+            )
+            if holds.any():
+                results = solve_points(plain, columns, variants)
+                unsettled[holds] = 0
     wrong = _wrong_efficiencies(case, laws, sizes, results, unsettled == 0)
     for where in wrong.values():
         unsettled[where] = NO_EFFICIENCY
@@ -464,6 +475,59 @@ class _Search:
         part.columns = {number: column[rows] for number, column in self.columns.items()}
         part.speeds = {number: speeds[rows] for number, speeds in self.speeds.items()}
         return part
+
+
+def _with_held(  # noqa: PLR0913, PLR0917
+    case: Transmission,
+    plain: Transmission,
+    laws: tuple[LawsOf, LawsOf],
+    given: Columns,
+    found: tuple[dict[CaseNumber, Floats], dict[CaseNumber, tuple[Floats, ...]]],
+    lacks: Booleans,
+    held: Collection[int],
+) -> tuple[dict[CaseNumber, Floats], dict[CaseNumber, tuple[Floats, ...]], Booleans]:
+    """Return numbers and sizes, completed where `lacks`, and flags of the completed points.
+
+    Trial efficiencies can open a freewheel that holds in the solution, so that the search has no
+    torques. The freewheels `held` are clutches here, which carry torques of any sign. With the
+    numbers found, the freewheels must hold by themselves.
+    """
+    (known, sought), rows = laws, np.flatnonzero(lacks.any(axis=1))
+    tied, part = _with_clutches(plain, held), {n: column[rows] for n, column in given.items()}
+    speeds, tied_sizes, moved = _with_speeds(case, tied, known, part, rows.size)
+    search = _Search(tied, part, sought, speeds)
+    results, part, state = search.solved()
+    tied_sizes |= search.sizes(results)
+    free = solve_points(plain, part, rows.size)
+    holds = lacks[rows] & (state == 0) & ~moved & np.isfinite(free.lossy_output_torque)
+    holds &= ~_differ(free.speeds, results.speeds) & ~_differ(results.speeds, speeds.speeds)
+    columns, sizes = dict(found[0]), dict(found[1])
+    for number, of_number in tied_sizes.items():
+        here = holds[:, number.gear or 0]
+        at = rows[here]
+        for whole, new in zip(sizes[number], of_number, strict=True):
+            whole[at] = new[here]
+        columns[number] = columns[number].copy()
+        columns[number][at] = part[number][here]
+    completed = np.zeros_like(lacks)
+    completed[rows] = holds
+    return columns, sizes, completed
+
+
+def _subsets(numbers: Collection[int]) -> Iterator[tuple[int, ...]]:
+    """Yield all sets of numbers except the empty set, smallest sets first."""
+    sizes = range(1, len(numbers) + 1)
+    return chain.from_iterable(combinations(numbers, size) for size in sizes)
+
+
+def _with_clutches(case: Transmission, held: Collection[int]) -> Transmission:
+    """Return a case in which engaged clutches replace freewheels, given by their numbers."""
+    elements = [
+        element._replace(kind="") if number in held else element
+        for number, element in enumerate(case.shift_elements, 1)
+    ]
+    gears = [with_engaged(gear, [*held]) for gear in case.gears]
+    return case.replace(shift_elements=elements, gears=gears)
 
 
 def _values_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
