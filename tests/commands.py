@@ -23,6 +23,9 @@ BAD_FILES = ROOT / "tests/bad"
 MZKT = CASES / "mzkt7922.dat"
 SHIPPED = sorted(path for path in CASES.iterdir() if path.is_file())
 """All cases that come with the program; a folder beside them has scenarios."""
+SCENARIOS = [
+    path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
+]
 
 NEUTRAL = """\
 links: 3

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.chance import count, seeded
+from tests.core.readers.deck.test_reader import MZKT7922
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import flow_of, solve, solve_gear
 from tests.oracle.linear import exact, sign
@@ -35,11 +36,7 @@ BIG = 700
 
 def mzkt(*, coast: bool = False, idle: IdleConvention = "published") -> Transmission:
     """MZKT 7922, the printed example."""
-    elements = [ShiftElement(*ends) for ends in ((2, 0), (2, 3), (3, 0), (5, 0), (4, 6))]
-    first, second = Mechanism(1, 2, 4, -0.8, 0.94, 0.9), Mechanism(1, 3, 4, 2.6, 0.95, 2.6)
-    sets = [first, second, Mechanism(4, 5, 6, -2.461, 0.97)]
-    gears = [Gear(engaged) for engaged in ([1, 4], [2, 4], [5, 1], [5, 2], [3, 4], [3, 5])]
-    return Transmission(6, elements, sets, gears, idle=idle, coast=coast)
+    return MZKT7922.replace(idle=idle, coast=coast)
 
 
 def test_published_tables() -> None:

@@ -10,15 +10,12 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SCENARIOS, SHIPPED, vstatics
 from tests.pictures.measured import MeasuredPage, measured
 from vstatics import load
 from vstatics.core.jobs.page_files import further_pages
 from vstatics.pictures import drawn_kinds
 
-SCENARIOS = [
-    path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
-]
 OF_FULL_LOAD = ("traction", "sawtooth")
 """No shipped case has the full load of its engine."""
 OF_SCENARIOS = ("shift", "plan")

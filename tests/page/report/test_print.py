@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, SHIPPED, vstatics
+from tests.commands import CASES, SCENARIOS, SHIPPED, vstatics
 from tests.page.report.pages import NASTY, NASTY_CASE, Page, report, write
 from tests.page.report.printed import PrintedSheet, printed
 from tests.shipped import shipped_results
@@ -15,9 +15,6 @@ from vstatics.page.report.page_pictures import pictures
 from vstatics.page.report.parts import on_paper, side_by_side
 from vstatics.pictures.paged.drawn import Drawn
 
-SCENARIOS = [
-    path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
-]
 MOST_SHEETS = 10
 LEAST_LETTERS, ROUNDED = 7.0, 0.05
 """Of pictures. [pt]"""

@@ -12,7 +12,7 @@ import pytest
 import vstatics
 from tests.chance import count, seeded
 from tests.commands import CASES
-from tests.page.serve.served import BOX, TOKEN, serving
+from tests.page.serve.served import BOX, TOKEN, ServedCase, serving
 from tests.processes import wait_for
 from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.page.cli.serve import calculated
@@ -21,6 +21,11 @@ from vstatics.page.serve.states import MOST_KEPT, Calculated, ChangedMeanwhileEr
 
 until = partial(wait_for, seconds=10)
 """Wait, for 10 s at most, until the page follows its file."""
+
+
+def shows(served: ServedCase, state: str) -> None:
+    """Wait until the page shows a state of its file."""
+    until(lambda: served.ask("shown").told["state"] == state)
 
 
 def write(folder: Path, text: str = BOX) -> Path:
@@ -73,7 +78,7 @@ def test_a_file_in_error_is_reported_with_its_place_and_takes_no_numbers(tmp_pat
     with serving(write(tmp_path)) as served:
         wrong = BOX.replace("carrier, ratio", "carier, ratio")
         served.file.write_text(wrong, "utf-8")
-        until(lambda: served.ask("shown").told["state"] == "error")
+        shows(served, "error")
         told = served.ask("shown").told
         line = wrong.split("\n")[4]
         assert told["errors"].startswith(f"{served.file}:5:{line.index('carier') + 1}: error: ")
@@ -87,7 +92,7 @@ def test_a_file_in_error_is_reported_with_its_place_and_takes_no_numbers(tmp_pat
     with serving(tmp_path / "box.yaml") as served:
         assert b'data-state="error"' in served.ask("").body
         write(tmp_path)
-        until(lambda: served.ask("shown").told["state"] == "good")
+        shows(served, "good")
 
 
 def test_a_deck_is_shown_and_stays(tmp_path: Path) -> None:
@@ -210,10 +215,10 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
         kept = real.read_bytes()
         assert b"ratio: -3," in kept
         real.unlink()
-        until(lambda: served.ask("shown").told["state"] == "error")
+        shows(served, "error")
         assert served.save({"P1.ratio": -4}).status == 422
         real.write_bytes(kept)
-        until(lambda: served.ask("shown").told["state"] == "good")
+        shows(served, "good")
 
 
 def test_no_room_for_a_file_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,16 +13,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.core.numerics.test_fronts import RANDOM, points
+from tests.core.numerics.test_fronts import ANY_VALUE, RANDOM, points
 from tests.sweep.asked import RESULTS, SET, VALUES, VARIED
 from vstatics import ReadError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.fronts import non_dominated
 from vstatics.sweep.results.selection import best, limited, read_objective, read_where
-
-FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -math.inf])
-ANY_VALUE = st.one_of(FEW_VALUES, st.floats())
-
 
 NONE = np.zeros(3, dtype=np.bool_)
 LOW = 'ratio["1R"]'

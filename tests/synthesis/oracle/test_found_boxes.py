@@ -10,7 +10,7 @@ from tests.oracle import test_boxes as built_boxes
 from tests.oracle.boxes import HELD, Box, Frame, Space, all_frames, found_in, names, triples
 from tests.oracle.boxes import searched as all_searched
 from tests.oracle.test_boxes import Built, Pairs, holds, ratio
-from tests.synthesis.boxes.batches.test_cut import named
+from tests.synthesis.boxes.batches.test_cut import asked, named
 from tests.synthesis.boxes.hand_boxes import FORD_10R, FORD_10R_SEARCH
 from vstatics.synthesis.boxes.batches.cut import ranges
 from vstatics.synthesis.boxes.batches.found import found_in as search_piece
@@ -24,10 +24,6 @@ pytestmark = pytest.mark.slow  # they compile
 Name = tuple[Frame, Pairs]
 NEAR = 0.02
 """A box with a gear so near to the end of its range may be found or not."""
-
-
-def asked(space: Space) -> BoxSearch:
-    return BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
 
 
 def ports_of(search: BoxSearch, frame: Frame) -> PortSearch:

@@ -17,7 +17,8 @@ import pytest
 from tests.chance import count, seeded
 from tests.oracle.boxes import HELD, Frame, Space, all_frames
 from tests.oracle.test_boxes import Pairs, ratio
-from tests.synthesis.oracle.test_found_boxes import asked, ports_of
+from tests.synthesis.boxes.batches.test_cut import asked
+from tests.synthesis.oracle.test_found_boxes import ports_of
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox, WantedSequence
 from vstatics.synthesis.boxes.figures.measured import measured
 

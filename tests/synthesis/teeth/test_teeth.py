@@ -26,6 +26,9 @@ from vstatics.synthesis.teeth.solutions import case_with_teeth
 
 RULES = oracle.Rules(0.5, 14)
 
+WIDE = TeethLimits({"sun": (15, 60), "planet": (14, 60), "ring": (1, 121)}, (3, 4, 5, 6))
+NARROW = TeethLimits({"sun": (17, 30), "planet": (17, 24), "ring": (40, 80)}, (3, 4))
+
 
 def rows_of(element: Element, limits: TeethLimits) -> set[tuple[int, ...]]:
     """All teeth with the numbers of planets, in the order of the layout's wheels."""
@@ -45,8 +48,7 @@ def drawn(kind: str, members: Sequence[str], teeth: Mapping[str, int]) -> Elemen
 def test_the_table_of_simple_sets() -> None:
     """1433 sets, 635 ratios; by planets 437, 593, 183, 220: the facts of the literature."""
     members, teeth = ("sun", "ring", "carrier"), {"sun": 20, "ring": 60}
-    limits = TeethLimits({"sun": (15, 60), "planet": (14, 60), "ring": (1, 121)}, (3, 4, 5, 6))
-    found = rows_of(drawn("planetary", members, teeth), limits)
+    found = rows_of(drawn("planetary", members, teeth), WIDE)
     assert (len(found), len({ring / sun for sun, ring, *_ in found})) == (1433, 635)
     assert Counter(row[-1] for row in found) == {3: 437, 4: 593, 5: 183, 6: 220}
 
@@ -84,8 +86,7 @@ def test_meshed_planets_stepped_planets_and_ravigneaux_sets() -> None:
 def test_belaz() -> None:
     """The largest error is that of 67/33 for gear 5, 2.5e-5; the plain loops have the same."""
     case = load(CASES / "belaz7516.yaml")
-    limits = TeethLimits({"sun": (15, 60), "planet": (14, 60), "ring": (1, 121)}, (3, 4, 5, 6))
-    found = find_teeth(case, {"2": 4.0, "4": 2.01, "5": 1.4925, "R2": -5.12}, limits)
+    found = find_teeth(case, {"2": 4.0, "4": 2.01, "5": 1.4925, "R2": -5.12}, WIDE)
     assert found.is_proven
     assert found.solutions[0].error == pytest.approx(math.log(100 / 67 / 1.4925), rel=1e-9)
     assert found.solutions[0].teeth["P4"] == {"sun": 50, "ring": 102, "planet": 26}
@@ -101,9 +102,8 @@ def test_the_twenty_best_of_sets_that_gears_share() -> None:
     """All products of the tables of two sets, whose ratios are in one gear, in their order."""
     sets = [Mechanism(1, 2, 3, -2.5, name="P1"), Mechanism(3, 2, 4, -2.5, name="P2")]
     case = Transmission(4, [ShiftElement(2), ShiftElement(3)], sets, [Gear([1]), Gear([2])])
-    limits = TeethLimits({"sun": (17, 30), "planet": (17, 24), "ring": (40, 80)}, (3, 4))
     wanted = {"1": 11.3, "2": -3.6}
-    found = find_teeth(case, wanted, limits)
+    found = find_teeth(case, wanted, NARROW)
     wheels = (range(17, 31), range(17, 25), range(40, 81))
     sets_of = {one[:3]: one.ratio for one in oracle.simple(wheels, (3, 4), oracle.Rules(0.5, 17))}
     errors = [  # the ring held: (1 - K1)(1 - K2), the carrier of the first: K1 (K2 - 1)/K2
@@ -208,8 +208,7 @@ def test_a_variator_behind_a_set_that_gets_teeth_keeps_its_speed_ratio() -> None
     """The carrier turns at 1/(1 + z_ring/z_sun) of the sun, the output half as fast."""
     parts = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 0, math.nan, kind="variator")]
     case = Transmission(4, [ShiftElement(2)], parts, [Gear([1], speed_ratios={2: 0.5})])
-    limits = TeethLimits({"sun": (17, 30), "planet": (17, 24), "ring": (40, 80)}, (3, 4))
-    found = find_teeth(case, {"1": 7.2}, limits)
+    found = find_teeth(case, {"1": 7.2}, NARROW)
     teeth = found.solutions[0].teeth["P"]
     made = case_with_teeth(case, found.problem, found.solutions[0])
     assert solve(made).ratio == pytest.approx([(1 + teeth["ring"] / teeth["sun"]) / 0.5])

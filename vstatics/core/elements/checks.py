@@ -217,12 +217,12 @@ def _ratios(element: Element, path: Path) -> Iterator[Problem]:
         )
         yield Problem("E797", f"{message}; {expected}", place)
     small, large = (element.ratios.get(sun, math.nan) for sun in ("small_sun", "large_sun"))
-    if not 1 < -large < small < LARGEST_WHEEL:
+    if not (1 < small < LARGEST_WHEEL and 1 < -large < LARGEST_WHEEL):
         read = f"read {small:g} of the small sun and {large:g} of the large one"
         yield Problem(
             "E797",
-            f"{read}, expected a number above 1 for the small sun, and for the large "
-            "sun one below -1 that is closer to 0",
+            f"{read}, expected a number above 1 for the small sun, and one below -1 for the "
+            "large sun",
             place,
         )
 

@@ -38,10 +38,14 @@ def named(one: BoxScheme, shafts: int = 0) -> list[Frame]:
     return [min(names(Frame(code, one.meshed, held, *ports, shafts), ()))[0] for ports in one.ports]
 
 
+def asked(space: Space) -> BoxSearch:
+    return BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
+
+
 @pytest.mark.parametrize("name", with_slow(SMALL, LARGER))
 def test_every_choice_is_in_one_piece(name: str) -> None:
     space, count = (SMALL | LARGER)[name], seeded(3).randrange(2, 50 if name in SMALL else 500)
-    search = BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
+    search = asked(space)
     every = Counter(min(names(frame, ()))[0] for frame in all_frames(space))
     schemes = [one for piece in range(count) for one in ranges(search, piece, count)]
     assert Counter(frame for one in schemes for frame in named(one, search.shafts)) == every
