@@ -97,13 +97,20 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
 
 @each_seed(20)
 def test_random_cycles_are_in_balance(seed: int) -> None:
-    """The engine is the sum of all others, and its torque gives the force at the wheels."""
+    """The engine is the sum of all others. Link 5 turns freely in gear 2, so its drag is 0 there."""
     rng = seeded(2770 + seed)
     etas = [rng.uniform(0.7, 1.0) for _ in range(2)]
     sets = [m._replace(efficiency=eta) for m, eta in zip(CASE.mechanisms, etas, strict=True)]
     case = CASE.replace(
+        links=5,
+        link_names=[],
+        output=4,
+        shift_elements=[*CASE.shift_elements, ShiftElement(1, 5)],
         mechanisms=sets,
-        gears=[gear._replace(drag={4: OfLoad(rng.uniform(0, 3), 1)}) for gear in CASE.gears],
+        gears=[
+            Gear(engaged, drag={n: OfLoad(rng.uniform(0, 3), 1) for n in (4, 5)}, name=name)
+            for name, engaged in (("1", [1, 3]), ("2", [2]))
+        ],
         vehicle=CAR._replace(overrun=[(0.0, -rng.uniform(0, 20))]),
         load=Load(2000.0, 100.0),
     )

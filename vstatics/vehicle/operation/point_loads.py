@@ -259,7 +259,7 @@ class PointLoads(NamedTuple):
         dragged = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
         losses = {}
         for link in sorted(dragged):
-            power = np.abs(drags[link] * self.speeds[:, link])
+            power = np.abs(np.nan_to_num(drags[link] * self.speeds[:, link]))
             for gear in self.case.gears:
                 if self.case.gear_input(gear) == link and gear.loss is not None:
                     power = power - wholes[loss_name(gear)]
