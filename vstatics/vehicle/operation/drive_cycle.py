@@ -197,7 +197,7 @@ def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
 
 def _total(energies: Floats) -> float:
     total = float(energies.sum())
-    return total if abs(total) > NO_CYCLE_ENERGY * float(np.abs(energies).sum()) else 0.0
+    return 0.0 if abs(total) <= NO_CYCLE_ENERGY * float(np.abs(energies).sum()) else total
 
 
 def _per_distance(energy: float, distance: float) -> float:

@@ -118,10 +118,12 @@ class EngineSpeeds(NamedTuple):
     """Indices of gears with slipping converters, which count as lower than gears of equal ratio."""
 
     def of(self, gear: int | Integers, rows: slice = slice(None)) -> Floats:
-        """Return engine speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
+        """Return engine speeds in a gear, or in a gear for each step, at some steps [rad/s].
+
+        They are 0 at standstill, also in gears without a ratio.
+        """
         output = self.output[rows]
-        speeds: Floats = output * self.ratios[gear] + np.where(output > 0, self.at_rest[gear], 0.0)
-        return speeds
+        return np.where(output > 0, output * self.ratios[gear] + self.at_rest[gear], 0.0)
 
 
 def _ladder(shifts: Sequence[ShiftSpeed]) -> list[str]:
