@@ -104,8 +104,13 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
         unsettled = np.where(moved, NONE, np.where(states, states, unsettled))
         results = with_efficiencies
         sizes |= search.sizes(results)
+        lacks = np.isnan(results.lossy_output_torque) | (unsettled == NONE)
+        if plain.freewheels and lacks.any():
+            lossless = columns | {number: np.ones(variants) for number in sought}
+            drives = np.isfinite(solve_points(plain, lossless, variants).lossy_output_torque)
+            lacks &= drives  # most gears without torques are neutral in any case
         for held in _subsets(plain.freewheels):
-            if not (lacks := np.isnan(results.lossy_output_torque) | (unsettled == NONE)).any():
+            if not lacks.any():
                 break
             columns, sizes, holds = _with_held(
                 case, plain, (known, sought), given, (columns, sizes), lacks, held
@@ -113,6 +118,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
             if holds.any():
                 results = solve_points(plain, columns, variants)
                 unsettled[holds] = 0
+                lacks &= ~holds
     wrong = _wrong_efficiencies(case, laws, sizes, results, unsettled == 0)
     for where in wrong.values():
         unsettled[where] = NO_EFFICIENCY
