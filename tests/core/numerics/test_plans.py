@@ -109,9 +109,8 @@ def test_few_variants_are_not_worth_a_plan_unless_they_come_often() -> None:
 def test_a_few_variants_among_others_get_a_plan_when_they_come_again() -> None:
     counted = Counted(branches)
     own = Plans(counted)
-    for step in range(30):
-        values = [*np.linspace(1.5, 3.5, 50), *np.linspace(0.6, 0.9, FEW_VARIANTS)]
-        check(own, branches, [np.multiply(values, 1 + step / 1000).tolist()])
+    for first in np.linspace(0.6, 0.7, 30):
+        check(own, branches, [[*np.linspace(1.5, 3.5, 50), *np.linspace(first, 0.9, FEW_VARIANTS)]])
     assert (counted.traced, counted.alone) == (2, FEW_VARIANTS)
 
 

@@ -17,12 +17,14 @@ from tests.page.serve.windows import Program, Window, served
 
 pytestmark = pytest.mark.slow
 NewWindow = Callable[[], Window]
+RATIO = 1 + 78 / 30
+"""Ratio of the gear `low` in the file."""
 
 
 def test_what_is_edited_is_seen_saved_and_undone(program: Program, window: NewWindow) -> None:
     here = window()
     assert here.shows() == set()
-    assert here.ratio() == pytest.approx(1 + 78 / 30)
+    assert here.ratio() == pytest.approx(RATIO)
     revision = int(here.page.get_attribute("html", "data-revision"))
     here.type("P1.ratio", "-3")
     here.has_ratio(4)
@@ -38,7 +40,7 @@ def test_what_is_edited_is_seen_saved_and_undone(program: Program, window: NewWi
     assert program.file.read_text("utf-8") == saved
     assert here.shows() == {"undo"}
     here.page.click("#undo")  # the number that the file had before
-    here.has_ratio(1 + 78 / 30)
+    here.has_ratio(RATIO)
     assert here.shows() == {"save", "revert"}
     here.page.click("#revert")
     here.has_ratio(4)
@@ -53,7 +55,7 @@ def test_a_slider_and_its_field_are_one_number(window: Callable[[], Window]) -> 
     here.has_ratio(5)
     assert float(here.field("P1.ratio")) == -4
     here.page.click("#undo")  # one step, however long somebody drags
-    here.has_ratio(1 + 78 / 30)
+    here.has_ratio(RATIO)
     assert here.shows() == set()
 
 
@@ -72,7 +74,7 @@ def test_a_decimal_comma_is_saved_as_a_point_and_what_is_no_number_not_at_all(
     assert here.page.locator(".unread").count() == 1
     here.type("P1.ratio", "2,5,1")
     here.page.click("#undo")
-    here.has_ratio(1 + 78 / 30)
+    here.has_ratio(RATIO)
     here.page.click("#revert")
     here.has_ratio(3.5)
     assert float(here.field("P1.ratio")) == -2.5
@@ -93,7 +95,7 @@ def test_a_wrong_number_is_reported_with_its_place_and_the_good_page_stays(
     column = BOX.split("\n")[4].index("efficiency: 0.97") + len("efficiency: ") + 1
     assert told[0].startswith(f"{program.file}:5:{column}: error: ")
     assert told[1][told[2].index("^")] == "7"
-    assert here.ratio() == pytest.approx(1 + 78 / 30)
+    assert here.ratio() == pytest.approx(RATIO)
     here.page.click("#save")
     here.page.wait_for_timeout(500)
     assert program.file.read_text("utf-8") == BOX
@@ -132,7 +134,7 @@ def test_two_windows_follow_each_other(window: Callable[[], Window]) -> None:
     one.type("P1.ratio", "-3")
     one.has_ratio(4)
     other.page.wait_for_timeout(300)
-    assert other.ratio() == pytest.approx(1 + 78 / 30)  # not saved yet
+    assert other.ratio() == pytest.approx(RATIO)  # not saved yet
     one.page.click("#save")
     other.has_ratio(4)
     assert float(other.field("P1.ratio")) == -3
@@ -156,7 +158,7 @@ def test_a_file_that_somebody_else_changed_meanwhile_loses_nothing(
     assert program.file.read_text("utf-8") == newer
     here.page.click(f"#{choice}")
     here.state("good")
-    here.has_ratio(4 if choice == "keep-mine" else 1 + 78 / 30)
+    here.has_ratio(4 if choice == "keep-mine" else RATIO)
     wanted = newer.replace("-78/30", "-3") if choice == "keep-mine" else newer
     assert program.file.read_text("utf-8") == wanted
     assert float(here.field("P1.efficiency")) == 0.9

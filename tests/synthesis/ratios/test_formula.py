@@ -13,6 +13,7 @@ from tests.trains import random_slipping
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.core.model.transmission import SpeedOf
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.summary.sensitivity import sensitivities
 from vstatics.synthesis.ratios.arrays import ratio_arrays, reach
 from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
@@ -39,6 +40,11 @@ def formulas(case: Transmission) -> dict[str, GearFormula]:
     fixed = {n: one.ratio for n, one in enumerate(own.case.mechanisms) if own.is_fixed(n)}
     own = own._replace(case=engaged)
     return {gear.name: gear_formula(own, gear, fixed) for gear in engaged.gears}
+
+
+def basic_ratios(case: Transmission) -> Floats:
+    """Return the basic ratios of a case as a row."""
+    return np.array([[one.ratio for one in case.mechanisms]])
 
 
 @pytest.mark.parametrize("gear", BELAZ)
@@ -69,7 +75,7 @@ def test_sensitivities_of_the_belaz_are_those_of_its_formulas() -> None:
 def test_every_shipped_gear_has_the_ratio_of_the_solver(file: Path) -> None:
     """The solver eliminates in floats, and knows no polynomials."""
     case = on_own_links(load(file)).case
-    ratios = np.array([[one.ratio for one in case.mechanisms]])
+    ratios = basic_ratios(case)
     results = solve(case)
     expected = dict(zip((gear.name for gear in case.gears), results.ratio.tolist(), strict=True))
     change = dict(zip(expected, sensitivities(results), strict=True))
@@ -130,7 +136,7 @@ def test_a_formula_that_would_be_too_long_is_refused_and_given_ratios_make_it_sh
         gear_formula(on_own_links(case), case.gears[0], {})
     given = {n: case.mechanisms[n].ratio for n in range(4, 18)}
     formula = gear_formula(on_own_links(case), case.gears[0], given)
-    ratios = np.array([[one.ratio for one in case.mechanisms]])
+    ratios = basic_ratios(case)
     found = ratio_arrays([formula], 18).ratios(ratios)[0, 0]
     assert formula.ratios == [0, 1, 2, 3]
     assert found == pytest.approx(solve(case).ratio[0], rel=1e-9)
@@ -167,7 +173,7 @@ def test_given_slips_are_constants_of_the_formula() -> None:
     chance = seeded(58)
     for case in (case for _ in range(count(6, 200)) for case in random_slipping(chance)):
         [formula] = formulas(case).values()
-        ratios = np.array([[one.ratio for one in case.mechanisms]])
+        ratios = basic_ratios(case)
         if formula.kind == "ratio":
             found = ratio_arrays([formula], ratios.shape[1]).ratios(ratios)[0, 0]
             assert found == pytest.approx(solve(case).ratio[0], rel=1e-8)

@@ -27,6 +27,11 @@ from vstatics.torsion.vibration.gear_modes import modes
 SPEEDS = np.array([100.0, 300.0, 1000.0])
 
 
+def natural(case: Transmission) -> list[float]:
+    """Return the natural frequencies of the first gear [rad/s]."""
+    return [mode.omega for mode in modes(case)[0].modes]
+
+
 def one_mass(damping: Damping | float) -> Transmission:
     return mounted(damping, 800.0, 0.5)
 
@@ -58,7 +63,7 @@ def test_torques_of_rigid_devices_balance_every_link() -> None:
 def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
     case = with_planetary_set()
     [gear, _] = response(case, 1, [Harmonic(2.0), Harmonic(4.5)], [300.0, 4000.0])
-    omegas = [mode.omega for mode in modes(case)[0].modes]
+    omegas = natural(case)
     shapes = [mode.shape["1"] for mode in modes(case)[0].modes]
     expected = [
         (order, number, omega / order / RAD_PER_RPM, abs(shapes[number - 1]))
@@ -73,7 +78,7 @@ def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
 def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
     """Two equal wheels on equal half-shafts in antiphase, at 5 rad/s: from a wheel only."""
     case = wheels(damping=0.02)
-    omegas = [mode.omega for mode in modes(case)[0].modes]
+    omegas = natural(case)
     [antiphase] = [number for number, one in enumerate(omegas, 1) if one == pytest.approx(5.0)]
     for link, excited in ((1, False), (2, False), (3, True)):
         [gear] = response(case, link, [Harmonic(1.0)], np.array([20.0, 60.0, 200.0]))
@@ -130,7 +135,7 @@ def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
         Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
     ]
     case = sprung(4, shafts, {1: 1.0, 2: 2.0, 3: 1.0, 4: 1.0})
-    omegas = [mode.omega for mode in modes(case)[0].modes]
+    omegas = natural(case)
     assert omegas == pytest.approx([10.0, 15.0])
     for at in (1, 3):
         [gear] = response(case, at, [Harmonic(1.0)], np.array(omegas) / RAD_PER_RPM)

@@ -674,8 +674,8 @@ def test_with_a_freewheel_behind_the_turbine_the_engine_supplies_the_drag_of_the
         assert steps["engine torque [N*m]"][step] == pytest.approx(2 / (2 - i))
     assert calls.call_count < 60  # halving a bracket to 1e-12 takes 40 for each of two torques
     # Each of the 20 driving steps needs some places down to its ratio, and the steps of a secant.
-    varied = (call.kwargs.get("vary", {}) for call in calls.call_args_list)
-    assert sum(np.size(vary.get("load.speed", ())) for vary in varied) < 300
+    points = (call.kwargs.get("vary", {}).get("load.speed", ()) for call in calls.call_args_list)
+    assert sum(map(np.size, points)) < 300
 
 
 @pytest.mark.usefixtures("folder")
