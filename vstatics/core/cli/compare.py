@@ -53,7 +53,11 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     _tolerance(
         "--atol", ATOL, "Absolute part of the allowed deviation of a number; --rtol adds a part."
     ),
-    _tolerance("--rtol", RTOL, "Tolerance of a number, relative to the expected number."),
+    _tolerance(
+        "--rtol",
+        RTOL,
+        "Tolerance of a number, relative to the expected number, such as 1e-6 or 0.1%.",
+    ),
     click.option(
         "--leave-out",
         multiple=True,
