@@ -41,11 +41,10 @@ def read_tolerance(text: str) -> float:
     from vstatics.core.readers.named.scalars import number  # costs start-up time
 
     try:
-        given = number(text)
+        return tolerance(number(text))
     except ValueError:
         expected = "a number of 0 or more, such as 1e-6 or 5%"
         raise ValueError(f"read {quoted(text)}, expected {expected}") from None
-    return tolerance(given)
 
 
 def left_out(names: str | Iterable[str]) -> frozenset[str]:

@@ -221,8 +221,8 @@ def _ratios(element: Element, path: Path) -> Iterator[Problem]:
         read = f"read {small:g} of the small sun and {large:g} of the large one"
         yield Problem(
             "E797",
-            f"{read}, expected a number above 1 for the small sun, and one below -1 for the "
-            "large sun",
+            f"{read}, expected a number above 1 for the small sun and a number below -1 for "
+            "the large sun",
             place,
         )
 

@@ -85,7 +85,7 @@ class Plans:
         self.of_single: Sequence[Plan] = ()
         """Plans of fixed sign for individual variants, repeated without arrays."""
         self.wait = self.waiting = FEW_VARIANTS
-        """Number of individual variants between recordings of such plans, and until the next."""
+        """Number of individual variants from one recorded plan to the next, and those left."""
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, and write each result to a row of `rows`."""
@@ -206,7 +206,7 @@ class Plans:
             rows.put_variant(variant, self._in_decimals(numbers) or self._of_single(numbers))
 
     def _of_single(self, numbers: Sequence[float]) -> Sequence[Any]:
-        """Return the results of a variant; a plan is recorded when the time spent could pay it."""
+        """Return the results of a variant; record a plan after enough variants without a plan."""
         for plan in self.of_single:
             if results := plan.run_one(numbers):
                 return results

@@ -173,8 +173,8 @@ def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
         metavar="N,...",
         callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
         help="Orders per revolution of LINK, each with a torque of 1 N*m. If --torque is given: "
-        "orders to select from its table. Without --at, half the `cylinders` of the case "
-        "by default.",
+        "orders to select from its table (default: all). If neither --torque nor --at is given, "
+        "the default is half the `cylinders` of the case.",
     ),
     click.option(
         "--speed",

@@ -50,7 +50,7 @@ class ConverterSteps(NamedTuple):
         return np.abs(self.load[0])
 
     def _at(self, chosen: Integers) -> ConverterSteps:
-        """Return some of the steps, by their indices here."""
+        """Return the steps with the given indices."""
         further = [
             {path: numbers[chosen] for path, numbers in of_case.items()} for of_case in self.further
         ]

@@ -176,7 +176,7 @@ def measured(text: str, measure: Measure, *, units: Sequence[str] = ()) -> float
 
 
 def _hint(text: str, behind: str, measures: Sequence[Measure]) -> str:
-    """Return a hint with the usual unit most similar to an unknown unit; empty without one."""
+    """Return a hint with the usual unit most similar to an unknown unit, or an empty text."""
     hint = slip(text) or usual(behind, _QUANTITIES.get(measures[0]))
     units = [unit for kind in measures for unit in _USUAL.get(kind, UNIT_OF[kind]).split()]
     return hint or nearest(behind[:LONGEST_UNIT], units)

@@ -103,7 +103,7 @@ _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(
 POUND_MASS = "lbm"
 """Pound as a mass, not the product of a pound and a metre."""
 TRIPLE = re.compile(r"(\w)\1\1")
-"""Pattern of a letter three times in a row, which is a slip: `mmm` is not an area."""
+"""Pattern of a letter three times in a row, a typing mistake: `mmm` is not an area."""
 LONGEST_UNIT = 40
 """Maximum number of characters of a unit."""
 

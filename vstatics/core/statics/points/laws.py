@@ -492,11 +492,11 @@ def _with_held(  # noqa: PLR0913, PLR0917
     lacks: Booleans,
     held: Collection[int],
 ) -> tuple[dict[CaseNumber, Floats], dict[CaseNumber, tuple[Floats, ...]], Booleans]:
-    """Return numbers and sizes, completed where `lacks`, and flags of the completed points.
+    """Return numbers and sizes, with values for the points `lacks`, and flags of these points.
 
     Trial efficiencies can open a freewheel that holds in the solution, so that the search has no
-    torques. The freewheels `held` are clutches here, which carry torques of any sign. With the
-    numbers found, the freewheels must hold by themselves.
+    torques. Here clutches, which carry torques of any sign, replace the freewheels `held`.
+    A point is completed only if the freewheels hold by themselves with the numbers found.
     """
     (known, sought), rows = laws, np.flatnonzero(lacks.any(axis=1))
     tied, part = _with_clutches(plain, held), {n: column[rows] for n, column in given.items()}
