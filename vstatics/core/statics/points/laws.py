@@ -492,7 +492,7 @@ def _with_held(  # noqa: PLR0913, PLR0917
     lacks: Booleans,
     held: Collection[int],
 ) -> tuple[dict[CaseNumber, Floats], dict[CaseNumber, tuple[Floats, ...]], Booleans]:
-    """Return numbers and sizes, with values for the points `lacks`, and flags of these points.
+    """Return numbers and sizes with values for more points, and flags of the completed points.
 
     Trial efficiencies can open a freewheel that holds in the solution, so that the search has no
     torques. Here clutches, which carry torques of any sign, replace the freewheels `held`.
