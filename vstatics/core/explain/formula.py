@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -242,6 +243,14 @@ def _shared(
 
 
 def _value(value: Quotient, symbols: Sequence[Symbol]) -> float:
+    """Return the value of a fraction; NaN if it is undefined, or beyond the range of floats.
+
+    >>> from flint import Ordering, fmpz_mpoly_ctx
+    >>> [u] = fmpz_mpoly_ctx.get(["u"], Ordering.lex).gens()
+    >>> [_value(Quotient(u**3, u - 2), [Symbol("u", "P", at)]) for at in (-2.0, 2.0, 1e200)]
+    [2.0, nan, nan]
+    """
+
     def at(polynomial: fmpz_mpoly) -> Fraction:
         total = Fraction(0)
         for powers, factor in polynomial.terms():
@@ -253,5 +262,6 @@ def _value(value: Quotient, symbols: Sequence[Symbol]) -> float:
             total += math.prod(ratios, start=Fraction(int(factor)))
         return total
 
-    divisor = at(value.denom)
-    return float(at(value.numer) / divisor) if divisor else math.nan
+    with suppress(ZeroDivisionError, OverflowError):  # a fraction can exceed the range of floats
+        return float(at(value.numer) / at(value.denom))
+    return math.nan
