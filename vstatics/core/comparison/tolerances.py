@@ -43,7 +43,7 @@ def read_tolerance(text: str) -> float:
     try:
         return tolerance(number(text))
     except ValueError:
-        expected = "a number of 0 or more, such as 1e-6 or 5%"
+        expected = "a finite number of 0 or more, such as 1e-6 or 5%"
         raise ValueError(f"read {quoted(text)}, expected {expected}") from None
 
 

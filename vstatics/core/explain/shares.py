@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from flint import fmpz_mpoly, fmpz_mpoly_ctx
 
 MOST_FORMULA_TERMS = 400
-"""Largest number of terms of an equation. Longer formulas are useless and slow to derive."""
+"""Largest number of terms of an equation. A longer one gives a useless formula, and slowly."""
 
 Body = int
 """Body of links, identified by the smallest link number."""

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.groups import filled
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.core.tables.written_results import GEAR_NUMBER, WrittenSweep
+from vstatics.core.tables.written_results import GEAR, GEAR_NUMBER, WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
 from vstatics.pictures.drawing.head import sheet_head
@@ -172,9 +172,9 @@ def _draw(
     up = ticks(pen.y.low, pen.y.high, max(int(high / (2 * height(""))), 2))
     up = [tick for tick in up if name != GEAR_NUMBER or tick.is_integer()]
     pen.scale("bottom", across, None if below else [], grid=True)
-    texts = [gears.get(tick, "") for tick in up]
+    texts, heading = [gears.get(tick, "") for tick in up], GEAR
     if not gears or widest(texts) > CURVES_SCALE_WIDTH / 2:
-        texts = tick_texts(up)
+        texts, heading = tick_texts(up), name
     pen.scale("left", up, texts, grid=True)
     pen.frame()
     for curve in curves:
@@ -185,7 +185,7 @@ def _draw(
         if isolated.any():
             places = zip(curve.x[isolated].tolist(), curve.y[isolated].tolist(), strict=True)
             pen.line(*((pen.across(x), pen.up(y)) for x, y in places), **{**curve.look, **look})
-    pen.name("left", wrapped(name, high), widest(texts) + 18)
+    pen.name("left", wrapped(heading, high), widest(texts) + 18)
     if below:
         pen.name("bottom", below, 26)
     beside(pen, "right", _line_ends(curves))
